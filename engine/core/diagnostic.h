@@ -1,0 +1,29 @@
+// What is wrong (or doubtful) in the author's file, and where.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/source_text.h"
+
+namespace pinfield {
+
+enum class Severity : unsigned char { warning, error };
+
+/// One finding in an author's file. Findings are collected, never only the first.
+struct Diagnostic {
+    std::string code;  ///< "E0203": see error_codes.h
+    Severity severity = Severity::error;
+    std::string message;  ///< what is wrong, one sentence without a full stop
+    Span where;           ///< in the SourceText it was found in
+    std::string hint;     ///< how to mend it; may be empty
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+bool has_errors(const Diagnostics& diagnostics);
+
+/// `file:line:col: error: message [E0203]`, then the source line with a caret, then the hint.
+std::string format(const Diagnostic& diagnostic, const SourceText& source);
+
+}  // namespace pinfield

@@ -1,0 +1,34 @@
+#include "engine/core/source_text.h"
+
+#include <algorithm>
+
+namespace pinfield {
+
+SourceText::SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+    line_starts_.push_back(0);
+    for (std::size_t i = 0; i < text_.size(); ++i)
+        if (text_[i] == '\n') line_starts_.push_back(i + 1);
+}
+
+LineColumn SourceText::place(std::size_t offset) const {
+    offset = std::min(offset, text_.size());
+    const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
+    const std::size_t start = *(next - 1);
+    // A byte of the form 10xxxxxx continues a code point; every other byte starts one.
+    const auto starts_code_point = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+    std::size_t from = start;
+    if (start == 0 && std::string_view(text_).starts_with("\xEF\xBB\xBF")) from = std::min<std::size_t>(3, offset);
+    const auto count = std::count_if(text_.begin() + static_cast<std::ptrdiff_t>(from),
+                                     text_.begin() + static_cast<std::ptrdiff_t>(offset), starts_code_point);
+    return {static_cast<int>(next - line_starts_.begin()), static_cast<int>(count) + 1};
+}
+
+std::string_view SourceText::line(int n) const {
+    if (n < 1 || n > line_count()) return {};
+    const std::size_t begin = line_starts_[static_cast<std::size_t>(n - 1)];
+    std::size_t end = n < line_count() ? line_starts_[static_cast<std::size_t>(n)] - 1 : text_.size();
+    if (end > begin && text_[end - 1] == '\r') --end;
+    return std::string_view(text_).substr(begin, end - begin);
+}
+
+}  // namespace pinfield

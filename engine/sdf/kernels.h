@@ -1,0 +1,92 @@
+// What the engine can compute of a shape or operation, behind function pointers: the dispatch table that replaces any
+// switch over node kinds. make_kernels.h fills it from the node's struct.
+#pragma once
+#include <array>
+#include <span>
+#include <vector>
+
+#include "engine/core/geometry.h"
+#include "engine/reflect/exactness.h"
+#include "engine/sdf/clearance.h"
+#include "engine/sdf/outline.h"
+
+namespace pinfield::sdf {
+
+/// Instruction sets that packet kernels exist for; sse2 is the x86-64 baseline and always there.
+enum class Isa : unsigned char { sse2, avx2 };
+inline constexpr int isa_count = 2;
+/// The widest one that this processor runs.
+Isa best_isa();
+
+/// Value and gradient; |gradient| = 1 wherever the distance is exact.
+struct Sample {
+    double value = 0;
+    Vec2 gradient{0, 0};
+};
+
+/// f = combine(a, b) with its partial derivatives.
+struct Partials {
+    double value = 0, by_a = 0, by_b = 0;
+};
+
+/// How a unary operation changes a distance: f = sign * d + offset, or f = |d| + offset. sign is +1 or -1.
+struct Affine {
+    double sign = 1;
+    double offset = 0;  ///< metres
+    bool absolute = false;
+};
+
+/// A fold lies within [hard - below, hard + above] of its lattice counterpart built of min, max and minus alone.
+struct Slack {
+    double below = 0, above = 0;  ///< metres
+};
+
+/// shape: a distance of its own. fold: combines its children's fields pairwise in file order.
+/// modify: changes its only child's field. images: its only child, seen through a list of isometries, united.
+enum class Form : unsigned char { shape, fold, modify, images };
+
+/// n values (any n >= 0; arrays need no padding) in local coordinates.
+using PacketDistance = void (*)(const double* params, const float* x, const float* y, float* distance, int n);
+/// a[i] = combine(a[i], b[i]); a modify kernel ignores b.
+using PacketCombine = void (*)(const double* params, float* a, const float* b, int n);
+
+struct PacketKernels {
+    PacketDistance distance = nullptr;
+    PacketCombine combine = nullptr;
+};
+
+/// `params` is the node's packed block after derive().
+struct Kernels {
+    Form form = Form::shape;
+    int derived_count = 0;
+    void (*derive)(double* params) = nullptr;
+    Exactness (*exactness)(const double* params, std::span<const Exactness> children) = nullptr;
+    std::array<PacketKernels, isa_count> packets{};  ///< an empty entry falls back to sse2
+
+    // shape
+    double (*distance)(const double* params, double x, double y) = nullptr;
+    Sample (*sample)(const double* params, double x, double y) = nullptr;
+    Box2 (*bounds)(const double* params) = nullptr;
+    void (*outline)(const double* params, Outline& out) = nullptr;  ///< null: not made of lines and arcs
+    /// Points of the outline from the shape's parametric definition, for tests and for shapes without `outline`.
+    void (*trace)(const double* params, int points, std::vector<Vec2>& out) = nullptr;
+    bool convex = false;
+
+    // fold
+    double (*combine)(const double* params, double a, double b) = nullptr;
+    Partials (*combine_partials)(const double* params, double a, double b) = nullptr;
+    Clearance (*combine_clearance)(const double* params, const Clearance& a, const Clearance& b) = nullptr;
+    double (*combine_hard)(const double* params, double a, double b) = nullptr;  ///< the lattice counterpart
+    Slack (*slack)(const double* params) = nullptr;
+    // fold and modify
+    Box2 (*bounds_over)(const double* params, std::span<const Box2> children) = nullptr;
+
+    // modify
+    double (*modify)(const double* params, double d) = nullptr;
+    Affine (*affine)(const double* params) = nullptr;
+
+    // images: local_from_image maps a point as the child has it to where the image has it
+    std::vector<Similarity> (*images)(const double* params) = nullptr;
+};
+
+}  // namespace pinfield::sdf

@@ -1,0 +1,129 @@
+// From a node's struct template to its Kernels. What a node may provide, and what each thing is for, is in kernels.h;
+// engine/sdf/nodes/circle.h and engine/sdf/operations/union.h are the patterns to follow.
+#pragma once
+#include <concepts>
+
+#include "engine/reflect/erase.h"
+#include "engine/reflect/load.h"
+#include "engine/sdf/dual.h"
+#include "engine/sdf/kernels.h"
+#include "engine/sdf/packet_kernels.h"
+
+namespace pinfield::sdf {
+
+template <class T>
+concept IsShape = requires(const T& node, const Point<double>& p) { { node.distance(p) } -> std::same_as<double>; };
+template <class T>
+concept IsFold = requires(const T& node, double d) { { node.combine(d, d) } -> std::same_as<double>; };
+template <class T>
+concept IsModify = requires(const T& node, double d) { { node.modify(d) } -> std::same_as<double>; };
+template <class T>
+concept IsImages = requires(const T& node) { { node.images() } -> std::same_as<std::vector<Similarity>>; };
+/// A fold that is not itself made of min, max and minus names the counterpart that is, and how far it strays from it.
+template <class T>
+concept HasHard = requires(const T& node, double d) { { node.hard(d, d) } -> std::same_as<double>; };
+
+namespace detail {
+
+template <class T>
+Exactness shape_exactness(const double* params, std::span<const Exactness>) {
+    if constexpr (requires(const T& node) { { node.exactness() } -> std::same_as<Exactness>; })
+        return load<T>(params).exactness();
+    else return T::describe().meta.exactness;
+}
+
+template <template <class> class N>
+void fill_shape(Kernels& k) {
+    using T = N<double>;
+    k.form = Form::shape;
+    k.exactness = shape_exactness<T>;
+    k.distance = [](const double* params, double x, double y) { return load<T>(params).distance({x, y}); };
+    k.sample = [](const double* params, double x, double y) -> Sample {
+        const Dual d = load<N<Dual>>(params).distance({Dual(x, 1, 0), Dual(y, 0, 1)});
+        return {d.v, {d.dx, d.dy}};
+    };
+    k.bounds = [](const double* params) { return load<T>(params).bounds(); };
+    if constexpr (requires(const T& node, Outline& out) { node.outline(out); })
+        k.outline = [](const double* params, Outline& out) { load<T>(params).outline(out); };
+    if constexpr (requires(const T& node, int n, std::vector<Vec2>& out) { node.trace(n, out); })
+        k.trace = [](const double* params, int n, std::vector<Vec2>& out) { load<T>(params).trace(n, out); };
+    if constexpr (requires { { T::convex } -> std::convertible_to<bool>; }) k.convex = T::convex;
+}
+
+template <template <class> class N>
+void fill_fold(Kernels& k) {
+    using T = N<double>;
+    k.form = Form::fold;
+    k.combine = [](const double* params, double a, double b) { return load<T>(params).combine(a, b); };
+    k.combine_partials = [](const double* params, double a, double b) -> Partials {
+        const Dual d = load<N<Dual>>(params).combine(Dual(a, 1, 0), Dual(b, 0, 1));
+        return {d.v, d.dx, d.dy};
+    };
+    if constexpr (HasHard<T>) {
+        k.combine_hard = [](const double* params, double a, double b) { return load<T>(params).hard(a, b); };
+        k.combine_clearance = [](const double*, const Clearance& a, const Clearance& b) {
+            return N<Clearance>::hard(a, b);
+        };
+        k.slack = [](const double* params) { return load<T>(params).slack(); };
+    } else {
+        k.combine_hard = k.combine;
+        k.combine_clearance = [](const double*, const Clearance& a, const Clearance& b) {
+            return N<Clearance>{}.combine(a, b);
+        };
+        k.slack = [](const double*) { return Slack{}; };
+    }
+}
+
+template <template <class> class N>
+void fill_modify(Kernels& k) {
+    using T = N<double>;
+    k.form = Form::modify;
+    k.modify = [](const double* params, double d) { return load<T>(params).modify(d); };
+    k.affine = [](const double* params) { return load<T>(params).affine(); };
+}
+
+}  // namespace detail
+
+/// The dispatch table of node template N, with the packet kernels of the baseline instruction set.
+template <template <class> class N>
+const Kernels& kernels_of() {
+    using T = N<double>;
+    static const Kernels kernels = [] {
+        Kernels k;
+        k.derived_count = derived_count<T>();
+        k.derive = derive_in_place<T>;
+        if constexpr (IsShape<T>) {
+            detail::fill_shape<N>(k);
+        } else {
+            k.exactness = [](const double* params, std::span<const Exactness> children) {
+                return load<T>(params).exactness(children);
+            };
+            if constexpr (IsImages<T>) {
+                k.form = Form::images;
+                k.images = [](const double* params) { return load<T>(params).images(); };
+            } else {
+                k.bounds_over = [](const double* params, std::span<const Box2> children) {
+                    return load<T>(params).bounds(children);
+                };
+                if constexpr (IsFold<T>) detail::fill_fold<N>(k);
+                else {
+                    static_assert(IsModify<T>, "an operation has combine(), modify() or images()");
+                    detail::fill_modify<N>(k);
+                }
+            }
+        }
+        k.packets[static_cast<std::size_t>(Isa::sse2)] = packet_kernels<N, Packet<xsimd::sse2>>();
+        return k;
+    }();
+    return kernels;
+}
+
+/// Description and kernels of N together: what a Catalogue takes.
+template <template <class> class N>
+NodeType sdf_node_type() {
+    NodeType type = node_type<N<double>>();
+    type.kernels = &kernels_of<N>();
+    return type;
+}
+
+}  // namespace pinfield::sdf

@@ -1,0 +1,50 @@
+// A SIMD packet of floats as a scalar of the distance formulas. The instruction set is named in the type (never xsimd's default,
+// which may become one with fused multiply-add and other roundings), so that every symbol carries it.
+#pragma once
+#include <xsimd/xsimd.hpp>
+
+#include "engine/sdf/scalar.h"
+
+namespace pinfield::sdf {
+
+template <class Arch>
+struct Packet {
+    using Batch = xsimd::batch<float, Arch>;
+    using Mask = typename Batch::batch_bool_type;
+    static constexpr int width = static_cast<int>(Batch::size);
+    Batch v;
+
+    Packet() : v(0.0f) {}
+    explicit Packet(double broadcast) : v(static_cast<float>(broadcast)) {}
+    explicit Packet(const Batch& batch) : v(batch) {}
+    static Packet load(const float* from) { return Packet(Batch::load_unaligned(from)); }
+    void store(float* to) const { v.store_unaligned(to); }
+
+    friend Packet operator+(const Packet& a, const Packet& b) { return Packet(a.v + b.v); }
+    friend Packet operator-(const Packet& a, const Packet& b) { return Packet(a.v - b.v); }
+    friend Packet operator-(const Packet& a) { return Packet(-a.v); }
+    friend Packet operator*(const Packet& a, const Packet& b) { return Packet(a.v * b.v); }
+    friend Packet operator/(const Packet& a, const Packet& b) { return Packet(a.v / b.v); }
+    friend Mask operator<(const Packet& a, const Packet& b) { return a.v < b.v; }
+    friend Mask operator>(const Packet& a, const Packet& b) { return a.v > b.v; }
+    friend Mask operator<=(const Packet& a, const Packet& b) { return a.v <= b.v; }
+    friend Mask operator>=(const Packet& a, const Packet& b) { return a.v >= b.v; }
+    friend Packet sqrt(const Packet& a) { return Packet(xsimd::sqrt(a.v)); }
+    friend Packet abs(const Packet& a) { return Packet(xsimd::abs(a.v)); }
+    friend Packet min(const Packet& a, const Packet& b) { return Packet(xsimd::min(a.v, b.v)); }
+    friend Packet max(const Packet& a, const Packet& b) { return Packet(xsimd::max(a.v, b.v)); }
+    friend Packet select(const Mask& condition, const Packet& yes, const Packet& no) {
+        return Packet(xsimd::select(condition, yes.v, no.v));
+    }
+};
+
+template <class Arch>
+xsimd::batch_bool<float, Arch> both(const xsimd::batch_bool<float, Arch>& a, const xsimd::batch_bool<float, Arch>& b) { return a & b; }
+template <class Arch>
+xsimd::batch_bool<float, Arch> either(const xsimd::batch_bool<float, Arch>& a, const xsimd::batch_bool<float, Arch>& b) { return a | b; }
+template <class Arch>
+xsimd::batch_bool<float, Arch> exactly_one(const xsimd::batch_bool<float, Arch>& a, const xsimd::batch_bool<float, Arch>& b) { return a ^ b; }
+template <class Arch>
+xsimd::batch_bool<float, Arch> invert(const xsimd::batch_bool<float, Arch>& a) { return !a; }
+
+}  // namespace pinfield::sdf

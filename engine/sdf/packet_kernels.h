@@ -1,0 +1,51 @@
+// Packet kernels of one node for one instruction set. Included by the translation units that are compiled for that set:
+// every function here is a template over the packet type, so no symbol can be shared with code for another machine.
+#pragma once
+#include "engine/reflect/load.h"
+#include "engine/sdf/kernels.h"
+#include "engine/sdf/packet.h"
+
+namespace pinfield::sdf {
+
+template <class T, class P>
+void packet_distance(const double* params, const float* x, const float* y, float* distance, int n) {
+    const T node = load<T>(params);
+    int i = 0;
+    for (; i + P::width <= n; i += P::width) node.distance({P::load(x + i), P::load(y + i)}).store(distance + i);
+    if (i == n) return;
+    float tail_x[P::width] = {}, tail_y[P::width] = {}, tail[P::width];
+    for (int j = 0; i + j < n; ++j) tail_x[j] = x[i + j], tail_y[j] = y[i + j];
+    node.distance({P::load(tail_x), P::load(tail_y)}).store(tail);
+    for (int j = 0; i + j < n; ++j) distance[i + j] = tail[j];
+}
+
+template <class T, class P>
+P packet_combined(const T& node, const P& a, const P& b) {
+    if constexpr (requires { node.combine(a, b); }) return node.combine(a, b);
+    else return node.modify(a);
+}
+
+template <class T, class P>
+void packet_combine(const double* params, float* a, const float* b, int n) {
+    const T node = load<T>(params);
+    int i = 0;
+    for (; i + P::width <= n; i += P::width) packet_combined(node, P::load(a + i), P::load(b + i)).store(a + i);
+    if (i == n) return;
+    float tail_a[P::width] = {}, tail_b[P::width] = {};
+    for (int j = 0; i + j < n; ++j) tail_a[j] = a[i + j], tail_b[j] = b[i + j];
+    packet_combined(node, P::load(tail_a), P::load(tail_b)).store(tail_a);
+    for (int j = 0; i + j < n; ++j) a[i + j] = tail_a[j];
+}
+
+template <template <class> class N, class P>
+PacketKernels packet_kernels() {
+    using T = N<P>;
+    PacketKernels k;
+    if constexpr (requires(const T& node, const Point<P>& p) { node.distance(p); }) k.distance = packet_distance<T, P>;
+    else if constexpr (requires(const T& node, const P& d) { node.combine(d, d); } ||
+                       requires(const T& node, const P& d) { node.modify(d); })
+        k.combine = packet_combine<T, P>;
+    return k;
+}
+
+}  // namespace pinfield::sdf
