@@ -90,4 +90,13 @@ NodeType node_type() {
     return type;
 }
 
+/// The values of a described struct's fields, in the order of describe().
+template <class T>
+std::vector<Value> values_of(const T& node) {
+    constexpr auto description = T::describe();
+    std::vector<Value> out;
+    std::apply([&](const auto&... f) { (out.push_back(detail::value_of(node.*f.member)), ...); }, description.fields);
+    return out;
+}
+
 }  // namespace pinfield

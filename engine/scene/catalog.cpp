@@ -1,0 +1,69 @@
+#include "engine/scene/catalog.h"
+
+#include "engine/reflect/erase.h"
+#include "engine/scene/node_common.h"
+#include "engine/scene/records.h"
+#include "engine/sdf/make_kernels.h"
+#include "engine/sdf/register.h"
+
+namespace pinfield {
+namespace {
+
+template <template <class> class N>
+CustomaryShape shape_block(const N<double>& node) {
+    const std::vector<Value> values = values_of(node);
+    const sdf::Kernels& kernels = sdf::kernels_of<N>();
+    CustomaryShape out{&kernels, pack(node_type<N<double>>(), values, kernels.derived_count), {}};
+    kernels.derive(out.params.data());
+    return out;
+}
+
+template <class P>
+CustomaryShape customary_shape(const double* params) {
+    const P node = load<P>(params);
+    CustomaryShape out = shape_block(node.customary_shape());
+    if constexpr (requires { node.part_from_shape(); }) out.part_from_shape = node.part_from_shape();
+    return out;
+}
+
+template <class P>
+const PartTraits& traits_of() {
+    static const PartTraits traits = [] {
+        PartTraits t{.role = P::role};
+        if constexpr (requires(const P& p) { p.customary_shape(); }) t.customary_shape = customary_shape<P>;
+        return t;
+    }();
+    return traits;
+}
+
+template <class... P>
+void add_parts(Catalogue& catalogue, PartList<P...>) {
+    const auto add = [&](NodeType type, const PartTraits& traits) {
+        type.part = &traits;
+        add_scene_type(catalogue, std::move(type));
+    };
+    (add(node_type<P>(), traits_of<P>()), ...);
+}
+
+}  // namespace
+
+const NodeType& add_scene_type(Catalogue& catalogue, NodeType type) {
+    for (FieldType field : node_type<NodeCommon>().fields) {
+        field.common = true;
+        type.fields.push_back(std::move(field));
+    }
+    return catalogue.add(std::move(type));
+}
+
+Catalogue built_in_catalogue() {
+    Catalogue nodes, catalogue;
+    sdf::add_built_in(nodes);
+    for (const NodeType& type : nodes.types()) add_scene_type(catalogue, type);
+    add_parts(catalogue, BuiltInParts{});
+    catalogue.add(node_type<TableInfo>());
+    catalogue.add(node_type<PhysicsSettings>());
+    catalogue.add(node_type<Material>());
+    return catalogue;
+}
+
+}  // namespace pinfield

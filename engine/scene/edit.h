@@ -1,0 +1,25 @@
+// An edit of the scene as a value, its inverse, and the history made of them.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/scene/scene.h"
+
+namespace pinfield {
+
+/// Sets one field of one node (or record) to a value; `given` tells whether the author's text is to say it.
+struct Edit {
+    NodeId node;
+    int field = 0;  ///< index into the node type's fields
+    Value value;
+    bool given = true;
+};
+
+/// Why an edit cannot be applied (range, kind, contract, an id that is taken), or nothing.
+std::optional<std::string> refuse(const Scene& scene, const Edit& edit);
+
+/// Applies an edit that refuse() lets pass and returns the edit that undoes it, bit for bit.
+Edit apply(Scene& scene, const Edit& edit);
+
+}  // namespace pinfield

@@ -1,0 +1,192 @@
+#include "engine/scene/scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "engine/core/trig.h"
+
+namespace pinfield {
+namespace {
+
+/// Position among the siblings of the same type.
+int index_among(const Scene& scene, const std::vector<NodeId>& siblings, const Node& node) {
+    int index = 0;
+    for (const NodeId id : siblings) {
+        if (id == node.id) break;
+        if (scene.find(id)->type == node.type) ++index;
+    }
+    return index;
+}
+
+bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
+    if (x.type->key() != y.type->key() || x.name != y.name || x.fields.size() != y.fields.size() ||
+        x.children.size() != y.children.size())
+        return false;
+    for (std::size_t i = 0; i < x.fields.size(); ++i)
+        if (x.fields[i].given != y.fields[i].given || !identical(x.fields[i].value, y.fields[i].value)) return false;
+    for (std::size_t i = 0; i < x.children.size(); ++i)
+        if (!same_node(a, *a.find(x.children[i]), b, *b.find(y.children[i]))) return false;
+    return true;
+}
+
+bool same_nodes(const Scene& a, const std::vector<NodeId>& x, const Scene& b, const std::vector<NodeId>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [&](NodeId i, NodeId j) { return same_node(a, *a.find(i), b, *b.find(j)); });
+}
+
+bool same_test(const TableTest& a, const TableTest& b) {
+    return a.name == b.name && a.run == b.run &&
+           std::equal(a.launches.begin(), a.launches.end(), b.launches.begin(), b.launches.end(),
+                      [](const auto& x, const auto& y) { return x.at == y.at && x.velocity == y.velocity; }) &&
+           std::equal(a.expectations.begin(), a.expectations.end(), b.expectations.begin(), b.expectations.end(),
+                      [](const auto& x, const auto& y) {
+                          return x.quantity == y.quantity && x.comparison == y.comparison && x.value == y.value;
+                      });
+}
+
+}  // namespace
+
+const Value& Node::value(std::string_view key_of_field) const {
+    const std::optional<int> index = type->find_field(key_of_field);
+    assert(index && "the node type has no field of this key");
+    return fields[static_cast<std::size_t>(*index)].value;
+}
+
+Scene::Scene(std::shared_ptr<const Catalogue> catalogue) : catalogue_(std::move(catalogue)) {
+    table_ = insert(*catalogue_->find("table"), {}).id;
+    physics_ = insert(*catalogue_->find("physics"), {}).id;
+}
+
+Node& Scene::insert(const NodeType& type, NodeId parent) {
+    Node node;
+    node.id = NodeId{next_id_++};
+    node.type = &type;
+    node.parent = parent;
+    for (const FieldType& field : type.fields) node.fields.push_back({field.initial, false, {}});
+    return nodes_[node.id] = std::move(node);
+}
+
+Node& Scene::add(const NodeType& type, NodeId parent) {
+    Node& node = insert(type, parent);
+    (parent ? find(parent)->children : roots_).push_back(node.id);
+    return node;
+}
+
+Node& Scene::add_material(const std::string& name) {
+    Node& node = insert(*catalogue_->find("material"), {});
+    node.name = name;
+    materials_.push_back(node.id);
+    return node;
+}
+
+const Node* Scene::find(NodeId id) const {
+    const auto it = nodes_.find(id);
+    return it == nodes_.end() ? nullptr : &it->second;
+}
+Node* Scene::find(NodeId id) { return const_cast<Node*>(std::as_const(*this).find(id)); }
+
+const Node* Scene::find(std::string_view id_or_path) const {
+    for (const NodeId id : all()) {
+        const Node& node = *find(id);
+        if (node.type->meta.kind != NodeKind::record && !node.name.empty() && node.name == id_or_path) return &node;
+    }
+    for (const NodeId id : all())
+        if (path(id) == id_or_path) return find(id);
+    return nullptr;
+}
+
+std::string Scene::path(NodeId id) const {
+    const Node& node = *find(id);
+    if (node.type->meta.kind == NodeKind::record)
+        return node.name.empty() ? std::string(node.type->key()) : "materials/" + node.name;
+    if (!node.name.empty()) return node.name;
+    const std::vector<NodeId>& siblings = node.parent ? find(node.parent)->children : roots_;
+    std::string own = fmt::format("{}[{}]", node.type->key(), index_among(*this, siblings, node));
+    return node.parent ? path(node.parent) + "/" + own : own;
+}
+
+std::vector<NodeId> Scene::all() const {
+    std::vector<NodeId> out{table_, physics_};
+    out.insert(out.end(), materials_.begin(), materials_.end());
+    std::vector<NodeId> stack(roots_.rbegin(), roots_.rend());
+    while (!stack.empty()) {
+        const NodeId id = stack.back();
+        stack.pop_back();
+        out.push_back(id);
+        const std::vector<NodeId>& children = find(id)->children;
+        stack.insert(stack.end(), children.rbegin(), children.rend());
+    }
+    return out;
+}
+
+NodeId Scene::material_of(NodeId id) const {
+    std::string wanted = "default";
+    for (const Node* node = find(id); node; node = node->parent ? find(node->parent) : nullptr) {
+        const auto& own = node->get<std::string>("material");
+        if (!own.empty()) {
+            wanted = own;
+            break;
+        }
+    }
+    for (const NodeId material : materials_)
+        if (find(material)->name == wanted) return material;
+    return {};
+}
+
+void Scene::keep_ids_of(const Scene& before) {
+    std::map<std::string, NodeId> old_ids;
+    for (const NodeId id : before.all()) old_ids.emplace(before.path(id), id);
+    std::map<NodeId, NodeId> renamed;
+    std::uint32_t next = std::max(next_id_, before.next_id_);
+    for (const NodeId id : all()) {
+        const auto match = old_ids.find(path(id));
+        const bool known = match != old_ids.end() && before.find(match->second)->type->key() == find(id)->type->key();
+        renamed[id] = known ? match->second : NodeId{next++};
+    }
+    next_id_ = next;
+    const auto rename = [&](NodeId& id) { if (id) id = renamed.at(id); };
+    std::map<NodeId, Node> nodes;
+    for (auto& [id, node] : nodes_) {
+        rename(node.id);
+        rename(node.parent);
+        for (NodeId& child : node.children) rename(child);
+        const NodeId key = node.id;
+        nodes[key] = std::move(node);
+    }
+    nodes_ = std::move(nodes);
+    for (NodeId& id : roots_) rename(id);
+    for (NodeId& id : materials_) rename(id);
+    rename(table_);
+    rename(physics_);
+}
+
+bool Scene::same_content(const Scene& other) const {
+    return same_node(*this, table(), other, other.table()) && same_node(*this, physics(), other, other.physics()) &&
+           same_nodes(*this, materials_, other, other.materials_) && same_nodes(*this, roots_, other, other.roots_) &&
+           std::equal(inputs.begin(), inputs.end(), other.inputs.begin(), other.inputs.end(),
+                      [](const auto& a, const auto& b) { return a.name == b.name && a.keys == b.keys; }) &&
+           std::equal(tests.begin(), tests.end(), other.tests.begin(), other.tests.end(), same_test);
+}
+
+Similarity parent_from_local(const Node& node) {
+    const double turn = node.get<double>("turn");
+    Similarity out{cosine_degrees(turn), sine_degrees(turn), node.get<double>("scale"), false, node.get<Vec2>("at")};
+    const auto& flip = node.get<std::string>("flip");
+    if (flip != "none") out.mirrored = true;
+    if (flip == "x") {  // negating x is negating y and half a turn
+        out.cosine = -out.cosine;
+        out.sine = -out.sine;
+    }
+    return out;
+}
+
+Similarity world_from_local(const Scene& scene, NodeId id) {
+    const Node& node = *scene.find(id);
+    const Similarity own = parent_from_local(node);
+    return node.parent ? world_from_local(scene, node.parent) * own : own;
+}
+
+}  // namespace pinfield

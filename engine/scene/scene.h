@@ -1,0 +1,120 @@
+// The typed tree that tools work on: nodes with stable ids, their values, and where each value stands in the author's text.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/id.h"
+#include "engine/core/source_text.h"
+#include "engine/reflect/catalogue.h"
+#include "engine/reflect/value.h"
+
+namespace pinfield {
+
+/// A field's value and, when the author wrote it, the byte range of that value in the text.
+struct FieldSlot {
+    Value value;
+    bool given = false;
+    Span where{};
+};
+
+/// One node of the scene, or one record (table, physics, a material): same shape, so that every tool handles both alike.
+struct Node {
+    NodeId id;
+    const NodeType* type = nullptr;
+    std::string name;               ///< the author's id, or a material's name; may be empty
+    std::vector<FieldSlot> fields;  ///< parallel to type->fields
+    std::vector<NodeId> children;
+    NodeId parent;                  ///< none at the top level
+    Span where{};                   ///< the whole node: from its key to the end of its last value
+    Span key{};                     ///< its type's word (or a material's name) in the text
+
+    const Value& value(std::string_view key_of_field) const;
+    template <class T>
+    const T& get(std::string_view key_of_field) const { return std::get<T>(value(key_of_field)); }
+};
+
+/// A named input and the keys of a keyboard that press it (GLFW's names without prefix: Z, Slash, LeftShift, Space).
+struct InputBinding {
+    std::string name;
+    std::vector<std::string> keys;
+    Span where{};
+};
+
+/// An entry of `tests:`.
+struct TableTest {
+    struct Launch {
+        Vec2 at{0, 0}, velocity{0, 0};
+    };
+    struct Expectation {
+        std::string quantity;    ///< `escaped`, `drained` or `<id>.hits`
+        std::string comparison;  ///< == != < <= > >=
+        double value = 0;
+        std::string text;        ///< as the author wrote it
+        Span where{};
+    };
+    std::string name;
+    std::vector<Launch> launches;
+    double run = 1;  ///< seconds
+    std::vector<Expectation> expectations;
+    Span where{};
+};
+
+class Scene {
+public:
+    /// An empty table with default records. The catalogue must outlive the scene.
+    explicit Scene(std::shared_ptr<const Catalogue> catalogue);
+
+    const Catalogue& catalogue() const { return *catalogue_; }
+    const std::shared_ptr<const Catalogue>& shared_catalogue() const { return catalogue_; }
+
+    /// Adds a node of this type with default values under `parent` (none: the top level) and returns it.
+    Node& add(const NodeType& type, NodeId parent = {});
+    Node& add_material(const std::string& name);
+
+    const Node* find(NodeId id) const;
+    Node* find(NodeId id);
+    /// By the author's id, else by path: `type[index]/type[index]`, index among siblings of that type from 0.
+    const Node* find(std::string_view id_or_path) const;
+    /// The author's id, or the path.
+    std::string path(NodeId id) const;
+
+    const Node& table() const { return *find(table_); }
+    const Node& physics() const { return *find(physics_); }
+    Node& table() { return *find(table_); }
+    Node& physics() { return *find(physics_); }
+    const std::vector<NodeId>& roots() const { return roots_; }
+    const std::vector<NodeId>& materials() const { return materials_; }
+    /// All ids in use: records, materials, then scene nodes in file order (preorder).
+    std::vector<NodeId> all() const;
+    /// Material of a node: its own, else the nearest ancestor's that names one, else "default". Empty NodeId when undefined.
+    NodeId material_of(NodeId id) const;
+
+    std::vector<InputBinding> inputs;
+    std::vector<TableTest> tests;
+
+    /// Gives nodes of this freshly read scene the ids they had in `before`: matched by author's id, else by path.
+    void keep_ids_of(const Scene& before);
+
+    /// Same nodes, order, types, values bit for bit, inputs and tests; places in the text and ids do not count.
+    bool same_content(const Scene& other) const;
+
+private:
+    Node& insert(const NodeType& type, NodeId parent);
+
+    std::shared_ptr<const Catalogue> catalogue_;
+    std::map<NodeId, Node> nodes_;
+    std::vector<NodeId> roots_, materials_;
+    NodeId table_, physics_;
+    std::uint32_t next_id_ = 1;
+};
+
+/// local frame -> parent's frame, from the common fields at, turn, scale and flip.
+Similarity parent_from_local(const Node& node);
+/// Product of parent_from_local up to the root.
+Similarity world_from_local(const Scene& scene, NodeId id);
+
+}  // namespace pinfield
