@@ -1,0 +1,40 @@
+// Distances of a Field at points.
+#pragma once
+#include "engine/program/program.h"
+
+namespace pinfield {
+
+/// The nearest solid surface as seen from a point.
+struct Nearest {
+    double distance = infinity;  ///< signed: negative inside a solid
+    Vec2 gradient{0, 0};         ///< of the distance: points away from the surface outside; unit where certified
+    int solid = -1;
+    int leaf = -1;               ///< op whose surface it is: material and attribution
+    bool certified = false;      ///< the distance is the true one, not only a bound
+};
+
+/// Signed distance to the union of the solids of these layers: the minimum over solids of each one's distance, which is exact
+/// for lowered solids and for trees whose side is exact or whose foot point certifies it (SDF_CATALOGUE 2.4). Outside every
+/// solid the minimum over exact values is exact; inside overlapping solids it is a bound and not certified.
+/// `reach`: surfaces farther than this may be left out (the result then has solid == -1 and distance == reach).
+Nearest nearest(const Field& field, const Vec2& p, LayerMask layers = ground_layer, double reach = infinity);
+
+/// As nearest(), for a point known to lie outside all solids: skips the inside tests. What the sweep asks.
+Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, double reach);
+
+/// Signed distance to one solid alone.
+Nearest nearest_of_solid(const Field& field, int solid, const Vec2& p);
+
+/// Raw value and gradient of an op's tree: what its formula says, exact or only a bound as op.exactness tells.
+/// `leaf` receives the winning leaf.
+sdf::Sample evaluate_tree(const Field& field, int op, const Vec2& p, int* leaf = nullptr);
+
+/// Distance from p to a boundary piece, unsigned, with the foot point.
+double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot);
+
+/// Raw tree distances of the union at n points, float packets of the best instruction set; `solid` (may be null) receives
+/// the winner's index. Only the solids listed in `candidates` take part.
+void evaluate_packets(const Field& field, std::span<const int> candidates, const float* x, const float* y, int n,
+                      float* distance, int* solid, sdf::Isa isa);
+
+}  // namespace pinfield

@@ -1,0 +1,52 @@
+// Plain cooked records of parts, materials and settings, for physics. The structs of the parts themselves come along
+// (engine/scene/parts/), so that a reflex loads its own from a record and nothing is declared twice.
+#pragma once
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "engine/core/geometry.h"
+#include "engine/core/id.h"
+#include "engine/reflect/load.h"
+#include "engine/reflect/node_type.h"
+#include "engine/scene/catalog.h"
+#include "engine/scene/records.h"
+
+namespace pinfield {
+
+struct Part {
+    const NodeType* type = nullptr;
+    NodeId origin;
+    std::string name;              ///< the author's id, or its path
+    Similarity world_from_part;
+    std::vector<double> params;    ///< packed
+    std::vector<int> inputs;       ///< indices into Program::inputs
+    int solid = -1;                ///< index into Program::fixed.solids, or -1
+    int mover = -1;                ///< index into Program::movers, or -1
+    int sensor = -1;               ///< index into Program::sensors, or -1
+
+    /// Is it a part of this struct's type?
+    template <class P>
+    bool is() const { return type->key() == P::describe().meta.key; }
+    /// Its parameters; texts and names keep their defaults.
+    template <class P>
+    P as() const { return load<P>(params.data()); }
+};
+
+/// As Material (engine/scene/records.h), with the colour ready for drawing.
+struct MaterialRecord {
+    std::string name;
+    double restitution = 0.3, falloff = 0, tangential = 1, friction = 0.3, scatter_degrees = 0;
+    std::string color;  ///< the author's text; empty: the theme decides
+};
+
+/// As PhysicsSettings, with gravity in the plane worked out.
+struct PhysicsRecord {
+    double step = 0.001;
+    Integrator integrator = Integrator::symplectic_euler;
+    Vec2 gravity{0, 0};  ///< m/s^2
+    double ball_radius = 0.0135, ball_mass = 0.08, ball_restitution = 0.8;
+    double tolerance = 1e-7, rest_speed = 0.005;
+};
+
+}  // namespace pinfield

@@ -1,0 +1,28 @@
+// The Program's field sampled into an image: what the editor and `pinfield render` colour.
+#pragma once
+#include <vector>
+
+#include "engine/program/program.h"
+
+namespace pinfield {
+
+/// width * height samples at pixel centres, row 0 at the top (largest y).
+struct Raster {
+    int width = 0, height = 0;
+    Box2 window;                    ///< world, metres
+    std::vector<float> distance;    ///< metres; raw tree value of the union
+    std::vector<std::int16_t> material;  ///< of the winning solid's leaf; -1 where nothing is in reach
+};
+
+/// Samples the visible solids of a field. Quadtree over tiles: a tile keeps only solids that can win somewhere in it
+/// (Lipschitz pruning), so most pixels evaluate one or two.
+void rasterize(const Field& field, LayerMask layers, sdf::Isa isa, Raster& raster);
+
+/// Lays a mover, at position q of its degree of freedom, over a raster of the static field (minimum of both).
+void rasterize_over(const Mover& mover, double q, sdf::Isa isa, Raster& raster);
+
+/// Colours a raster: 3 bytes a pixel, row 0 at the top.
+enum class RasterStyle : unsigned char { shaded, isolines };
+std::vector<unsigned char> colorize(const Raster& raster, const Program& program, RasterStyle style);
+
+}  // namespace pinfield
