@@ -1,0 +1,30 @@
+// The independent check of the promise: dense samples of every path segment against the true distance, never the sweep.
+#pragma once
+#include <cstdint>
+
+#include "engine/physics/world.h"
+
+namespace pinfield {
+
+struct AuditReport {
+    std::int64_t segments = 0;
+    double worst_depth = 0;       ///< metres by which a ball overlapped a solid, at any sample
+    std::int64_t crossings = 0;   ///< segments that ended on the other side of a solid, or had their centre inside one
+};
+
+/// Feed it after every tick of a world that records its paths. Samples are spaced by at most `spacing` of path (at least 8 a segment);
+/// movers are taken at their own place at each sample's time, interpolated from the tick's start and end states.
+class Auditor {
+public:
+    explicit Auditor(const World& world, double spacing = 1e-3);
+    ~Auditor();
+    void after_tick(const World& world);
+    const AuditReport& report() const { return report_; }
+
+private:
+    double spacing_;
+    AuditReport report_;
+    std::vector<MoverState> movers_before_;
+};
+
+}  // namespace pinfield

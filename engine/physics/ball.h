@@ -1,0 +1,30 @@
+// A ball.
+#pragma once
+#include "engine/core/geometry.h"
+#include "engine/core/id.h"
+#include "engine/program/program.h"
+
+namespace pinfield {
+
+using BallId = Id<struct BallTag>;
+
+enum class BallState : unsigned char {
+    rolling,
+    resting,      ///< in contact and still: its bits do not change
+    drained,      ///< out of play until put back
+    quarantined,  ///< not finite: taken out of the simulation, an event tells
+    jammed        ///< pinched between movers that do not yield: frozen, an event tells
+};
+
+struct Ball {
+    BallId id;
+    Vec2 position{0, 0};  ///< of the centre, metres
+    Vec2 velocity{0, 0};  ///< m/s
+    double spin = 0;      ///< rad/s, counter-clockwise; a disc rolling along a wall spins in the plane of the table
+    BallState state = BallState::rolling;
+    LayerMask layer = ground_layer;
+    Vec2 start_position{0, 0}, start_velocity{0, 0};  ///< where it is put back
+    double free_path = 0;  ///< metres it may still travel before the next field query
+};
+
+}  // namespace pinfield

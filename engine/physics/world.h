@@ -1,0 +1,110 @@
+// The simulation: balls and movers on a Program, one fixed tick at a time. Same inputs, same bits.
+#pragma once
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/physics/ball.h"
+#include "engine/physics/event.h"
+#include "engine/program/program.h"
+
+namespace pinfield {
+
+/// Where a mover is and how it moves: q is an angle in radians (rotation) or a distance in metres (translation).
+struct MoverState {
+    bool rotates = true;
+    Vec2 axis{0, 1};      ///< world direction of a translation
+    double q = 0, rate = 0, acceleration = 0;
+    double q_min = 0, q_max = 0;  ///< end-stops
+    double drive_time = 0;        ///< seconds since the drive began: the torque ramp
+    bool driven = false;
+    double inverse_inertia = 0;   ///< 1/(kg m^2) or 1/kg; 0: kinematic
+};
+
+struct WorldOptions {
+    std::uint64_t seed = 1;
+    std::optional<double> restitution;      ///< sets every e; falloff, friction, scatter and kicks become 0
+    std::optional<Integrator> integrator;
+    std::optional<double> step;             ///< seconds
+    bool balls_collide = true;              ///< false: balls ignore each other
+    bool sweep = true;                      ///< test hook: without continuous detection balls tunnel, and the auditor must say so
+};
+
+/// A straight or parabolic stretch of one ball's path within a tick, for auditors and traces.
+struct PathSegment {
+    BallId ball;
+    double start = 0, duration = 0;  ///< seconds since the world's start
+    Vec2 position{0, 0}, velocity{0, 0}, acceleration{0, 0};
+    Vec2 at(double t) const { return position + t * velocity + (0.5 * t * t) * acceleration; }
+};
+
+/// Counters of the work done, for tests and the status bar.
+struct WorldStats {
+    std::int64_t field_queries = 0, sweeps = 0, impacts = 0, capped_queries = 0, capped_ticks = 0;
+    int most_evaluations = 0;  ///< of one sweep
+};
+
+class World {
+public:
+    World(ProgramPtr program, WorldOptions options = {});
+    ~World();
+    World(const World&);  ///< a snapshot
+    World& operator=(const World&);
+    World(World&&) noexcept;
+    World& operator=(World&&) noexcept;
+
+    /// One tick.
+    void step();
+
+    /// Input i of Program::inputs is pressed (value > 0) or released from the next tick on.
+    void set_input(int input, double value);
+    /// Adds a ball; it starts again here after a drain when put back.
+    BallId add_ball(const Vec2& position, const Vec2& velocity, double spin = 0);
+    /// Adds one ball per spawn of the table.
+    void add_spawned_balls();
+    void remove_balls();
+    /// Puts a drained ball back where it started.
+    void put_back(BallId ball);
+    /// Moves a ball (the editor's throw).
+    void set_ball(BallId ball, const Vec2& position, const Vec2& velocity);
+
+    /// Swaps in an edited program at this step boundary: balls keep rolling, movers keep their state, a ball that now sits in
+    /// a solid is let out along the gradient at bounded speed, without energy.
+    void set_program(ProgramPtr program);
+
+    const Program& program() const;
+    const ProgramPtr& shared_program() const;
+    std::int64_t tick() const;
+    double step_length() const;  ///< seconds
+    double time() const;         ///< tick * step
+    std::span<const Ball> balls() const;
+    const Ball* find(BallId ball) const;
+    std::span<const MoverState> movers() const;
+    /// Events of the last tick, in order.
+    std::span<const Event> events() const;
+    const WorldStats& stats() const;
+    /// Kinetic + spin + m g y of one ball, J.
+    double energy(const Ball& ball) const;
+    double energy() const;
+    /// Of tick, balls and movers, bit for bit.
+    std::uint64_t state_hash() const;
+
+    /// Collect the path segments of each tick (cleared at the next one).
+    void record_paths(bool on);
+    std::span<const PathSegment> paths() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+/// Distance of a point to all that is solid for a ball now: static field and movers at their present place.
+struct Gap {
+    double distance = infinity;
+    NodeId node;
+};
+Gap gap_at(const World& world, const Vec2& p, LayerMask layers = ground_layer);
+
+}  // namespace pinfield
