@@ -8,8 +8,8 @@
 
 namespace pinfield {
 
-/// Fewest letters to insert, delete, replace or swap with their neighbour to turn `a` into `b` (optimal string alignment:
-/// Damerau, "A technique for computer detection and correction of spelling errors", 1964).
+/// Fewest letters to insert, delete, replace or swap with their neighbour to turn `a` into `b` (optimal string
+/// alignment: Damerau, "A technique for computer detection and correction of spelling errors", 1964).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
 /// The candidate that a misspelt `word` most likely meant: at most a third of its letters wrong (at least one may be).

@@ -43,7 +43,7 @@ public:
     std::string hex() const { return hex16(state_); }
 
 private:
-    static constexpr std::uint64_t step = 0x9e3779b97f4a7c15u;  // odd, its bits well spread
+    static constexpr std::uint64_t step = 0x9e3779b97f4a7c15u;  // odd, well spread
     std::uint64_t state_ = 0x70696e6669656c64u;  // "pinfield"
 };
 

@@ -6,8 +6,8 @@
 
 namespace pinfield {
 
-/// Shortest text that reads back as the same double. Plain digits for 1e-4 <= |x| < 1e15, else with an exponent: "1e-07".
-/// -0 is "-0"; what is not finite is "inf", "-inf", "nan".
+/// Shortest text that reads back as the same double. Plain digits for 1e-4 <= |x| < 1e15, else with an exponent:
+/// "1e-07". -0 is "-0"; what is not finite is "inf", "-inf", "nan".
 std::string to_text(double x);
 
 /// Rounded to a fixed number of decimals: to_text(0.5, 3) is "0.500"; never "-0.000".

@@ -1,6 +1,6 @@
-// Random numbers by counting: the n-th number of a stream is a pure function of (seed, stream, n), so that adding a consumer
-// never shifts the numbers of another, and a saved game needs to keep only the counter.
-// The mixer is the finaliser of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
+// Random numbers by counting: the n-th number of a stream is a pure function of (seed, stream, n), so that adding a
+// consumer never shifts the numbers of another, and a saved game needs to keep only the counter. The mixer is the
+// finaliser of SplitMix64 (Steele, Lea, Flood, "Fast splittable pseudorandom number generators", 2014).
 #pragma once
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // Method: reduce the argument to a small interval with the reduction error carried in a second double (Cody & Waite,
-// "Software Manual for the Elementary Functions", 1980), then a Taylor series long enough to be exact to rounding there.
-// Taylor rather than minimax: two terms more, and every coefficient can be checked by eye. The correction of the series
-// by the second double follows K. C. Ng's notes in fdlibm.
+// "Software Manual for the Elementary Functions", 1980), then a Taylor series long enough to be exact to rounding
+// there. Taylor rather than minimax: two terms more, and every coefficient can be checked by eye. The correction of the
+// series by the second double follows K. C. Ng's notes in fdlibm.
 #include "engine/core/trig.h"
 
 #include <bit>
@@ -27,18 +27,27 @@ TwoDoubles exact_sum(double a, double b) {
     return {hi, (a - (hi - part)) + (b - part)};
 }
 
-/// An angle = quadrant * 90 degrees + rest, |rest| <= 45 degrees (a hair more where the quadrant was rounded), rest in radians.
+/// c[0] + c[1] z + c[2] z^2 + ... by Horner's rule.
+template <int count>
+double polynomial(double z, const double (&c)[count]) {
+    double sum = c[count - 1];
+    for (int i = count - 2; i >= 0; --i) sum = c[i] + z * sum;
+    return sum;
+}
+
+/// An angle = quadrant * 90 degrees + rest, the rest in radians, at most 45 degrees (a hair more where rounding
+/// decided).
 struct Reduced {
     TwoDoubles rest;
     int quadrant;  // 0..3
 };
 
-/// Nearest multiple of pi/2 taken off x >= 0. pi/2 is split so that its first two parts have 33 bits: their products with
-/// a quadrant count below 2^20 are exact.
+/// Nearest multiple of pi/2 taken off x >= 0. pi/2 is split so that its first two parts have 33 bits: their products
+/// with a quadrant count below 2^20 are exact.
 Reduced reduce_radians(double x) {
     constexpr double part1 = 0x1.921fb544p+0, part2 = 0x1.0b4611a6p-34, part3 = 0x1.3198a2e037073p-69;
     constexpr double largest_count = 1 << 20;
-    // Far out the argument's own last place is coarser than the error of taking off whole turns of the double nearest 2 pi.
+    // Far out, whole turns of the double nearest 2 pi err by less than the argument's own last place.
     if (x > largest_count) x = std::fmod(x, two_pi);  // fmod is exact, hence the same everywhere
     const double count = std::floor(x * (2 / pi) + 0.5);
     TwoDoubles rest = exact_sum(x - count * part1, -(count * part2));
@@ -49,18 +58,18 @@ Reduced reduce_radians(double x) {
 /// sin(hi + lo) for |hi| <= pi/4 and a little more: Taylor to x^17, remainder below 1e-19 of the result.
 double sine_series(TwoDoubles x) {
     const double z = x.hi * x.hi;
-    const double tail =
-        -1.0 / 6 + z * (1.0 / 120 + z * (-1.0 / 5040 + z * (1.0 / 362880 + z * (-1.0 / 39916800 +
-        z * (1.0 / 6227020800 + z * (-1.0 / 1307674368000 + z * (1.0 / 355687428096000)))))));
+    static constexpr double taylor[] = {-1.0 / 6,        1.0 / 120,        -1.0 / 5040,          1.0 / 362880,
+                                        -1.0 / 39916800, 1.0 / 6227020800, -1.0 / 1307674368000, 1.0 / 355687428096000};
+    const double tail = polynomial(z, taylor);
     return x.hi + (x.hi * z * tail + x.lo * (1 - 0.5 * z));
 }
 
 /// cos(hi + lo), likewise, to x^16. 1 - z/2 is rounded once and its rounding error put back.
 double cosine_series(TwoDoubles x) {
     const double z = x.hi * x.hi;
-    const double tail =
-        1.0 / 24 + z * (-1.0 / 720 + z * (1.0 / 40320 + z * (-1.0 / 3628800 + z * (1.0 / 479001600 +
-        z * (-1.0 / 87178291200 + z * (1.0 / 20922789888000))))));
+    static constexpr double taylor[] = {1.0 / 24,        -1.0 / 720,         1.0 / 40320,         -1.0 / 3628800,
+                                        1.0 / 479001600, -1.0 / 87178291200, 1.0 / 20922789888000};
+    const double tail = polynomial(z, taylor);
     const double half = 0.5 * z;
     const double head = 1 - half;
     return head + (((1 - head) - half) + (z * z * tail - x.hi * x.lo));
@@ -96,7 +105,7 @@ SineCosine sine_cosine_of_rest_degrees(double x) {
     return pair;
 }
 
-/// atan(t) for t in [0, 1]: from the nearest sixteenth c, atan t = atan c + atan((t - c) / (1 + t c)), the latter by Taylor.
+/// atan(t) for t in [0, 1]: atan t = atan c + atan((t - c) / (1 + t c)) with c the nearest sixteenth, then Taylor.
 double arc_tangent_of_ratio(double t) {
     static constexpr TwoDoubles at_sixteenth[17] = {
         {0, 0},
@@ -121,7 +130,8 @@ double arc_tangent_of_ratio(double t) {
     const double c = sixteenths / 16;
     const double u = (t - c) / (1 + t * c);
     const double z = u * u;
-    const double tail = z * (-1.0 / 3 + z * (1.0 / 5 + z * (-1.0 / 7 + z * (1.0 / 9 - z * (1.0 / 11)))));
+    static constexpr double taylor[] = {-1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11};
+    const double tail = z * polynomial(z, taylor);
     const TwoDoubles known = at_sixteenth[static_cast<int>(sixteenths)];
     return known.hi + (u + (known.lo + u * tail));
 }
@@ -168,7 +178,9 @@ double arc_tangent(double y, double x) {
     const double across = std::fabs(x), up = std::fabs(y);
     const bool steep = up > across;
     const double larger = steep ? up : across, smaller = steep ? across : up;
-    double angle = larger == 0 ? 0 : smaller == larger ? arc_tangent_of_ratio(1) : arc_tangent_of_ratio(smaller / larger);
+    // Equal sizes are told apart so that infinity / infinity is 1 too.
+    const double ratio = larger == 0 ? 0 : smaller == larger ? 1 : smaller / larger;
+    double angle = arc_tangent_of_ratio(ratio);
     if (steep) angle = half_pi - (angle - half_pi_lo);
     if (std::signbit(x)) angle = pi - (angle - pi_lo);
     return std::signbit(y) ? -angle : angle;
@@ -186,9 +198,10 @@ double exponential(double x) {
     const double n = std::floor(x * 1.44269504088896340736 + 0.5);
     const TwoDoubles r = exact_sum(x - n * ln2_upper, -(n * ln2_lower));
     const double z = r.hi;
-    const double tail =
-        1.0 / 2 + z * (1.0 / 6 + z * (1.0 / 24 + z * (1.0 / 120 + z * (1.0 / 720 + z * (1.0 / 5040 + z * (1.0 / 40320 +
-        z * (1.0 / 362880 + z * (1.0 / 3628800 + z * (1.0 / 39916800 + z * (1.0 / 479001600 + z / 6227020800.0))))))))));
+    static constexpr double taylor[] = {1.0 / 2,       1.0 / 6,        1.0 / 24,        1.0 / 120,
+                                        1.0 / 720,     1.0 / 5040,     1.0 / 40320,     1.0 / 362880,
+                                        1.0 / 3628800, 1.0 / 39916800, 1.0 / 479001600, 1.0 / 6227020800};
+    const double tail = polynomial(z, taylor);
     const double value = 1 + (z + (z * z * tail + r.lo));
     const int power = static_cast<int>(n), half = power / 2;  // in two steps: 2^1024 and 2^-1074 are no normal doubles
     return scaled(scaled(value, half), power - half);
@@ -216,9 +229,9 @@ double logarithm(double x) {
     const double f = mantissa - 1;
     const double s = f / (2 + f);
     const double z = s * s;
-    const double tail =
-        z * (2.0 / 3 + z * (2.0 / 5 + z * (2.0 / 7 + z * (2.0 / 9 + z * (2.0 / 11 + z * (2.0 / 13 + z * (2.0 / 15 +
-        z * (2.0 / 17 + z * (2.0 / 19 + z * (2.0 / 21))))))))));
+    static constexpr double taylor[] = {2.0 / 3,  2.0 / 5,  2.0 / 7,  2.0 / 9,  2.0 / 11,
+                                        2.0 / 13, 2.0 / 15, 2.0 / 17, 2.0 / 19, 2.0 / 21};
+    const double tail = z * polynomial(z, taylor);
     const double half_square = 0.5 * f * f;
     const double n = exponent;
     return n * ln2_upper - ((half_square - (s * (half_square + tail) + n * ln2_lower)) - f);

@@ -1,9 +1,9 @@
 // Transcendental functions with the same bits from every compiler, processor and libm.
 // libm's own differ in the last bit between versions and between gcc's and clang's constant folding, and one bit is
-// enough to send a ball round the other side of a post. These use only + - * / sqrt and comparisons, which IEEE 754 fixes.
-// Error, in units of the last place of the result: below 1 for sine, cosine, exponential and logarithm, below 2.5 for the
-// others (relative error below 6e-16), for angles up to 1e6 rad; beyond that sine and cosine stay in range and
-// reproducible, but lose digits. NaN and infinities behave as in <cmath>.
+// enough to send a ball round the other side of a post. These use only + - * / sqrt and comparisons, which IEEE 754
+// fixes. Error, in units of the last place of the result: below 1 for sine, cosine, exponential and logarithm,
+// below 2.5 for the others (relative error below 6e-16), for angles up to 1e6 rad; beyond that sine and cosine stay in
+// range and reproducible, but lose digits. NaN and infinities behave as in <cmath>.
 #pragma once
 
 namespace pinfield {

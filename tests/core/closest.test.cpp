@@ -34,7 +34,8 @@ TEST_CASE("the edit distance is symmetric and between the difference and the lar
 }
 
 TEST_CASE("a misspelt word finds the one that was meant, a strange one finds none") {
-    const std::vector<std::string> shapes{"circle", "box", "capsule", "uneven_capsule", "polygon", "regular_polygon", "star"};
+    const std::vector<std::string> shapes{"circle",          "box", "capsule", "uneven_capsule", "polygon",
+                                          "regular_polygon", "star"};
     CHECK(closest_match("cirlce", shapes) == "circle");
     CHECK(closest_match("capsul", shapes) == "capsule");
     CHECK(closest_match("regular_poligon", shapes) == "regular_polygon");

@@ -85,7 +85,8 @@ TEST_CASE("sine is odd and cosine even to the last bit") {
     });
     CHECK(same_bits(sine(-0.0), -0.0));
     for (double x = -1000; x < 1000; x += 0.37)
-        if (!same_bits(sine_degrees(x), -sine_degrees(-x)) || !same_bits(cosine_degrees(x), cosine_degrees(-x))) FAIL(x);
+        if (!same_bits(sine_degrees(x), -sine_degrees(-x)) || !same_bits(cosine_degrees(x), cosine_degrees(-x)))
+            FAIL(x);
     CHECK(same_bits(sine_degrees(-0.0), -0.0));
 }
 
@@ -123,8 +124,8 @@ TEST_CASE("sine and cosine of degrees are within one unit in the last place") {
     const auto true_sine = [](double x) {
         const double rest = std::remainder(x, 180);
         const auto upwards = [](double degrees) { return static_cast<long double>(degrees) * (pi_long / 180); };
-        const long double size = std::fabs(rest) <= 45 ? std::sin(upwards(std::fabs(rest)))
-                                                       : std::cos(upwards(90 - std::fabs(rest)));
+        const long double size =
+            std::fabs(rest) <= 45 ? std::sin(upwards(std::fabs(rest))) : std::cos(upwards(90 - std::fabs(rest)));
         const bool odd = std::fmod((x - rest) / 180, 2) != 0;
         return (rest < 0) != odd ? -size : size;
     };
