@@ -1,10 +1,28 @@
 // THE list of shapes and operations. To add one: write its header, name it here, give it a scene in scenes/nodes/.
 #pragma once
+#include "engine/sdf/nodes/arc.h"
 #include "engine/sdf/nodes/box.h"
+#include "engine/sdf/nodes/capsule.h"
 #include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/nodes/ellipse.h"
+#include "engine/sdf/nodes/half_plane.h"
+#include "engine/sdf/nodes/polygon.h"
+#include "engine/sdf/nodes/regular_polygon.h"
+#include "engine/sdf/nodes/segment.h"
+#include "engine/sdf/nodes/star.h"
+#include "engine/sdf/nodes/triangle.h"
+#include "engine/sdf/nodes/uneven_capsule.h"
 #include "engine/sdf/operations/complement.h"
+#include "engine/sdf/operations/difference.h"
+#include "engine/sdf/operations/intersection.h"
 #include "engine/sdf/operations/mirror.h"
+#include "engine/sdf/operations/onion.h"
+#include "engine/sdf/operations/repeat_polar.h"
+#include "engine/sdf/operations/round.h"
+#include "engine/sdf/operations/smooth_difference.h"
+#include "engine/sdf/operations/smooth_union.h"
 #include "engine/sdf/operations/union.h"
+#include "engine/sdf/operations/xor.h"
 
 namespace pinfield::sdf {
 
@@ -13,6 +31,10 @@ struct NodeList {
     static constexpr int size = sizeof...(N);
 };
 
-using BuiltIn = NodeList<Circle, Box, Union, Complement, Mirror>;
+using BuiltIn = NodeList<
+    // shapes
+    Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
+    // operations
+    Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothDifference, Round, Onion, Mirror, RepeatPolar>;
 
 }  // namespace pinfield::sdf

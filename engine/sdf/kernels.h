@@ -80,6 +80,10 @@ struct Kernels {
     Slack (*slack)(const double* params) = nullptr;
     // fold and modify
     Box2 (*bounds_over)(const double* params, std::span<const Box2> children) = nullptr;
+    /// How far, in metres of field, the solid may spread over where its children are solid: it lies where some child's field is below
+    /// this. bounds_over() grows its boxes by as much, which is enough where that field is the exact distance; over a child
+    /// whose outside is only a bound, ask for the box of the child's own isoline instead. Null: 0.
+    double (*reach)(const double* params, int children) = nullptr;
 
     // modify
     double (*modify)(const double* params, double d) = nullptr;

@@ -105,6 +105,8 @@ const Kernels& kernels_of() {
                 k.bounds_over = [](const double* params, std::span<const Box2> children) {
                     return load<T>(params).bounds(children);
                 };
+                if constexpr (requires(const T& node) { { node.reach(1) } -> std::same_as<double>; })
+                    k.reach = [](const double* params, int children) { return load<T>(params).reach(children); };
                 if constexpr (IsFold<T>) detail::fill_fold<N>(k);
                 else {
                     static_assert(IsModify<T>, "an operation has combine(), modify() or images()");

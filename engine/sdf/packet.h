@@ -7,10 +7,21 @@
 
 namespace pinfield::sdf {
 
+/// One truth value per lane. A type of our own, so that formulas find its operations by its namespace.
+template <class Arch>
+struct PacketMask {
+    xsimd::batch_bool<float, Arch> v;
+
+    friend PacketMask both(const PacketMask& a, const PacketMask& b) { return {a.v & b.v}; }
+    friend PacketMask either(const PacketMask& a, const PacketMask& b) { return {a.v | b.v}; }
+    friend PacketMask exactly_one(const PacketMask& a, const PacketMask& b) { return {a.v ^ b.v}; }
+    friend PacketMask invert(const PacketMask& a) { return {!a.v}; }
+};
+
 template <class Arch>
 struct Packet {
     using Batch = xsimd::batch<float, Arch>;
-    using Mask = typename Batch::batch_bool_type;
+    using Mask = PacketMask<Arch>;
     static constexpr int width = static_cast<int>(Batch::size);
     Batch v;
 
@@ -25,26 +36,18 @@ struct Packet {
     friend Packet operator-(const Packet& a) { return Packet(-a.v); }
     friend Packet operator*(const Packet& a, const Packet& b) { return Packet(a.v * b.v); }
     friend Packet operator/(const Packet& a, const Packet& b) { return Packet(a.v / b.v); }
-    friend Mask operator<(const Packet& a, const Packet& b) { return a.v < b.v; }
-    friend Mask operator>(const Packet& a, const Packet& b) { return a.v > b.v; }
-    friend Mask operator<=(const Packet& a, const Packet& b) { return a.v <= b.v; }
-    friend Mask operator>=(const Packet& a, const Packet& b) { return a.v >= b.v; }
+    friend Mask operator<(const Packet& a, const Packet& b) { return {a.v < b.v}; }
+    friend Mask operator>(const Packet& a, const Packet& b) { return {a.v > b.v}; }
+    friend Mask operator<=(const Packet& a, const Packet& b) { return {a.v <= b.v}; }
+    friend Mask operator>=(const Packet& a, const Packet& b) { return {a.v >= b.v}; }
     friend Packet sqrt(const Packet& a) { return Packet(xsimd::sqrt(a.v)); }
     friend Packet abs(const Packet& a) { return Packet(xsimd::abs(a.v)); }
     friend Packet min(const Packet& a, const Packet& b) { return Packet(xsimd::min(a.v, b.v)); }
     friend Packet max(const Packet& a, const Packet& b) { return Packet(xsimd::max(a.v, b.v)); }
+    friend Packet frozen(const Packet& a) { return a; }
     friend Packet select(const Mask& condition, const Packet& yes, const Packet& no) {
-        return Packet(xsimd::select(condition, yes.v, no.v));
+        return Packet(xsimd::select(condition.v, yes.v, no.v));
     }
 };
-
-template <class Arch>
-xsimd::batch_bool<float, Arch> both(const xsimd::batch_bool<float, Arch>& a, const xsimd::batch_bool<float, Arch>& b) { return a & b; }
-template <class Arch>
-xsimd::batch_bool<float, Arch> either(const xsimd::batch_bool<float, Arch>& a, const xsimd::batch_bool<float, Arch>& b) { return a | b; }
-template <class Arch>
-xsimd::batch_bool<float, Arch> exactly_one(const xsimd::batch_bool<float, Arch>& a, const xsimd::batch_bool<float, Arch>& b) { return a ^ b; }
-template <class Arch>
-xsimd::batch_bool<float, Arch> invert(const xsimd::batch_bool<float, Arch>& a) { return !a; }
 
 }  // namespace pinfield::sdf

@@ -13,6 +13,8 @@ inline double abs(double a) { return std::fabs(a); }
 inline double min(double a, double b) { return b < a ? b : a; }
 inline double max(double a, double b) { return a < b ? b : a; }
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
+/// The value without its derivatives, as the scalar that suffices for it: for iterations whose derivative is known in closed form.
+inline double frozen(double a) { return a; }
 inline bool both(bool a, bool b) { return a && b; }
 inline bool either(bool a, bool b) { return a || b; }
 inline bool exactly_one(bool a, bool b) { return a != b; }

@@ -1,0 +1,50 @@
+#pragma once
+#include <span>
+
+#include "engine/core/geometry.h"
+#include "engine/reflect/describe.h"
+#include "engine/sdf/blend.h"
+#include "engine/sdf/kernels.h"
+
+namespace pinfield::sdf {
+
+/// The union of the children, their joints filled as if with goo; folded in file order.
+template <class Real>
+struct SmoothUnion {
+    Real k = Real(0.005);
+    BlendFamily family = BlendFamily::quadratic;
+
+    Real combine(const Real& a, const Real& b) const { return smooth_min(a, b, k, family); }
+    static Real hard(const Real& a, const Real& b) { return min(a, b); }
+    Slack slack() const { return {.below = k}; }
+
+    static Exactness exactness(std::span<const Exactness> children) {
+        Exactness out = children[0];
+        for (const Exactness& child : children.subspan(1)) {
+            out.outside = out.inside = Side::bound;
+            out.lipschitz = max(out.lipschitz, child.lipschitz);
+        }
+        return out;
+    }
+    /// Each fold lowers the field by at most k, so that the solid lies where some child is below k times the number of folds.
+    Box2 bounds(std::span<const Box2> children) const {
+        Box2 out;
+        for (const Box2& child : children) out = out.merged(child);
+        return out.grown(reach(static_cast<int>(children.size())));
+    }
+    double reach(int children) const { return k * (children - 1); }
+
+    static constexpr auto describe() {
+        using T = SmoothUnion;
+        return operation<T>({.key = "smooth_union",
+                             .exactness = {.outside = Side::bound, .inside = Side::bound},
+                             .children = {1, any_number},
+                             .doc = "The union of the children with filled joints, folded in file order."},
+                            fields(field("k", &T::k,
+                                         {.unit = Unit::metre, .min = from(0), .step = 0.0005,
+                                          .doc = "How much the filling adds where two outlines coincide."}),
+                                   field("family", &T::family, {.doc = "Profile of the filling."})));
+    }
+};
+
+}  // namespace pinfield::sdf
