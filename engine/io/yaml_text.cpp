@@ -1,0 +1,227 @@
+#include "engine/io/yaml_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/core/error_codes.h"
+
+namespace pinfield {
+namespace {
+
+bool is_space(char c) { return c == ' ' || c == '\t'; }
+bool is_break(char c) { return c == '\n' || c == '\r'; }
+
+/// Length of the well-formed UTF-8 sequence at `at` (no overlong forms, no surrogates: RFC 3629), or 0.
+std::size_t utf8_length(std::string_view text, std::size_t at) {
+    const auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u; };
+    const auto follows = [&](std::size_t count) {
+        for (std::size_t i = 1; i <= count; ++i)
+            if ((byte(i) & 0xC0u) != 0x80u) return false;
+        return true;
+    };
+    const unsigned a = byte(0), b = byte(1);
+    if (a < 0x80) return 1;
+    if (a >= 0xC2 && a <= 0xDF) return follows(1) ? 2 : 0;
+    if (a >= 0xE0 && a <= 0xEF) {
+        const bool overlong = a == 0xE0 && b < 0xA0, surrogate = a == 0xED && b > 0x9F;
+        return follows(2) && !overlong && !surrogate ? 3 : 0;
+    }
+    if (a >= 0xF0 && a <= 0xF4) {
+        const bool overlong = a == 0xF0 && b < 0x90, beyond = a == 0xF4 && b > 0x8F;
+        return follows(3) && !overlong && !beyond ? 4 : 0;
+    }
+    return 0;
+}
+
+/// The parser would take 0x04 for the end of the file and end a line at a lone carriage return: neither may come so far.
+std::optional<Diagnostic> check_characters(std::string_view text) {
+    for (std::size_t i = 0; i < text.size();) {
+        const auto c = static_cast<unsigned char>(text[i]);
+        if (c >= 0x20 && c < 0x7F) {
+            ++i;
+            continue;
+        }
+        const Span here{i, i + 1};
+        if (c == 0) return diagnose(Code::control_character, here, "a NUL byte in the text", "is this a binary file?");
+        const bool lone_return = c == '\r' && (i + 1 >= text.size() || text[i + 1] != '\n');
+        if ((c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F || lone_return)
+            return diagnose(Code::control_character, here, fmt::format("a control character (0x{:02X}) in the text", c),
+                            lone_return ? "end lines with a line feed, or carriage return and line feed" : "remove it");
+        const std::size_t length = utf8_length(text, i);
+        if (length == 0)
+            return diagnose(Code::not_utf8, here, fmt::format("byte 0x{:02X} is not UTF-8", c), "save the file as UTF-8");
+        i += length;
+    }
+    return {};
+}
+
+void check_tabs(std::string_view text, Diagnostics& out) {
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = line_end(text, begin), content = std::min(skip_spaces(text, begin), end);
+        const std::size_t tab = text.substr(begin, content - begin).find('\t');
+        if (tab != std::string_view::npos && content < end && text[content] != '#')
+            out.push_back(diagnose(Code::tab_indentation, {begin + tab, begin + tab + 1}, "a tab in the indentation",
+                                   "indent with spaces"));
+        begin = text.find('\n', end);
+        if (begin == std::string_view::npos || out.size() >= 20) return;
+        ++begin;
+    }
+}
+
+/// The parser keeps every open bracket in a queue before it says a word about it: megabytes of them cost a gigabyte. And it
+/// copies a scalar of megabytes before its length can be judged.
+std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limits) {
+    const std::size_t most_open = 16 * limits.depth;
+    std::array<bool, 256> ends_word{};
+    for (const unsigned char c : std::string_view(" \n,[]{}:\"'#")) ends_word[c] = true;
+    std::size_t open = 0, run = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        ++run;
+        if (c == '[' || c == '{') ++open;
+        if ((c == ']' || c == '}') && open > 0) --open;
+        if (open > most_open)
+            return diagnose(Code::too_deep, {i, i + 1}, fmt::format("more than {} brackets are open here", most_open),
+                            fmt::format("at most {} levels may nest", limits.depth));
+        if (ends_word[static_cast<unsigned char>(c)]) run = 0;
+        if (run > limits.scalar_bytes)
+            return diagnose(Code::scalar_too_long, {i + 1 - run, i + 1},
+                            fmt::format("a word of more than {} bytes", limits.scalar_bytes));
+    }
+    return {};
+}
+
+/// A plain scalar's value is its text with every run of blanks and breaks folded: walk both together.
+std::size_t plain_end(std::string_view text, std::size_t at, std::string_view value) {
+    std::size_t end = at;
+    for (const char c : value) {
+        if (c == ' ' || c == '\n' || c == '\t') {
+            while (at < text.size() && (is_space(text[at]) || is_break(text[at]))) ++at;
+            continue;
+        }
+        if (at >= text.size()) break;
+        end = ++at;
+    }
+    return end;
+}
+
+std::size_t quoted_end(std::string_view text, std::size_t at) {
+    const char quote = text[at];
+    for (std::size_t i = at + 1; i < text.size(); ++i) {
+        if (quote == '"' && text[i] == '\\') ++i;
+        else if (text[i] == quote) {
+            if (quote == '"' || i + 1 >= text.size() || text[i + 1] != quote) return i + 1;
+            ++i;
+        }
+    }
+    return text.size();
+}
+
+/// Up to the last line that is indented deeper than what the block text belongs to.
+std::size_t block_text_end(std::string_view text, std::size_t at, int indent) {
+    std::size_t end = line_end(text, at);
+    for (std::size_t begin = text.find('\n', end); begin != std::string_view::npos; begin = text.find('\n', begin)) {
+        ++begin;
+        const std::size_t content = skip_spaces(text, begin), stop = line_end(text, begin);
+        if (content >= stop) continue;
+        if (static_cast<int>(content - begin) <= indent) break;
+        end = stop;
+    }
+    return end;
+}
+
+}  // namespace
+
+Diagnostics check_text(const SourceText& source, const Limits& limits) {
+    const std::string& text = source.text();
+    if (text.size() > limits.file_bytes)
+        return {diagnose(Code::file_too_large, {0, 0},
+                         fmt::format("the file has {} bytes; at most {} are read", text.size(), limits.file_bytes))};
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+        return {diagnose(Code::not_utf8, {0, 2}, "the file is UTF-16", "save it as UTF-8")};
+    if (auto found = check_characters(text)) return {*found};
+    if (auto found = check_costs(text, limits)) return {*found};
+    Diagnostics out;
+    check_tabs(text, out);
+    return out;
+}
+
+std::size_t byte_order_mark(std::string_view text) { return text.starts_with("\xEF\xBB\xBF") ? 3 : 0; }
+
+std::size_t skip_spaces(std::string_view text, std::size_t at) {
+    while (at < text.size() && is_space(text[at])) ++at;
+    return at;
+}
+
+std::size_t skip_blank(std::string_view text, std::size_t at) {
+    while (at < text.size()) {
+        if (is_space(text[at]) || is_break(text[at])) ++at;
+        else if (text[at] == '#' && (at == 0 || is_space(text[at - 1]) || is_break(text[at - 1]))) at = line_end(text, at);
+        else break;
+    }
+    return at;
+}
+
+std::size_t skip_properties(std::string_view text, std::size_t at) {
+    while (at < text.size() && (text[at] == '&' || text[at] == '!')) {
+        while (at < text.size() && !is_space(text[at]) && !is_break(text[at])) ++at;
+        at = skip_blank(text, at);
+    }
+    return at;
+}
+
+std::size_t line_end(std::string_view text, std::size_t at) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    return end > at && text[end - 1] == '\r' ? end - 1 : end;
+}
+
+std::size_t line_begin(std::string_view text, std::size_t at) {
+    while (at > 0 && text[at - 1] != '\n') --at;
+    return at == 0 ? byte_order_mark(text) : at;
+}
+
+YamlStyle scalar_style(std::string_view text, std::size_t at) {
+    if (at >= text.size()) return YamlStyle::plain;
+    switch (text[at]) {
+        case '"': return YamlStyle::double_quoted;
+        case '\'': return YamlStyle::single_quoted;
+        case '|':
+        case '>': return YamlStyle::block_text;
+        default: return YamlStyle::plain;
+    }
+}
+
+std::size_t scalar_end(std::string_view text, std::size_t at, YamlStyle style, std::string_view value, int indent) {
+    if (style == YamlStyle::plain) return plain_end(text, at, value);
+    if (style == YamlStyle::block_text) return block_text_end(text, at, indent);
+    return quoted_end(text, at);
+}
+
+std::size_t null_word(std::string_view text, std::size_t at) {
+    std::size_t length = 0;
+    for (const std::string_view word : {"~", "null", "Null", "NULL"})
+        if (text.substr(at).starts_with(word)) length = word.size();
+    if (length == 0) return 0;
+    std::size_t before = at;
+    while (before > 0 && is_space(text[before - 1])) --before;
+    const bool follows = before > byte_order_mark(text) && std::string_view("-:,[{?").find(text[before - 1]) != std::string_view::npos;
+    return follows ? length : 0;
+}
+
+std::optional<std::size_t> color_in_comment(std::string_view text, std::size_t begin, std::size_t end) {
+    const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); };
+    for (std::size_t i = begin; i < end; ++i) {
+        if (text[i] != '#' || i == 0 || !is_space(text[i - 1])) continue;
+        std::size_t digits = i + 1;
+        while (digits < end && is_hex(text[digits])) ++digits;
+        const std::size_t count = digits - i - 1;
+        const bool word_ends = digits >= text.size() || std::string_view(" \t\r\n,]}\"'").find(text[digits]) != std::string_view::npos;
+        if ((count == 3 || count == 6) && word_ends) return i;
+        i = line_end(text, i);  // the rest of the line is comment
+    }
+    return {};
+}
+
+}  // namespace pinfield

@@ -1,0 +1,297 @@
+#include "engine/io/yaml_tree.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/mark.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <istream>
+#include <streambuf>
+
+#include "engine/core/error_codes.h"
+#include "engine/io/yaml_text.h"
+
+namespace pinfield {
+namespace {
+
+/// Ends the parse after a finding that makes the rest meaningless; never leaves this file.
+struct Stop {};
+
+/// The text as a stream, without a copy.
+class Bytes : public std::streambuf {
+public:
+    explicit Bytes(std::string_view text) {
+        char* begin = const_cast<char*>(text.data());  // a get area is never written to
+        setg(begin, begin, begin + text.size());
+    }
+};
+
+class Builder : public YAML::EventHandler {
+public:
+    Builder(const SourceText& source, const Limits& limits, YamlTree& tree)
+        : text_(source.text()), limits_(limits), tree_(tree), mark_offset_(byte_order_mark(text_)) {}
+
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (tree_.root)
+            stop(Code::several_documents, at(mark), "a second YAML document begins here", "a table is one document: remove the ---");
+    }
+    void OnDocumentEnd() override {}
+
+    void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        const std::size_t begin = skip_properties(text_, at(mark));
+        // Where a value is missing the parser gives the place of whatever comes next; what is written as ~ is a value.
+        if (const std::size_t word = null_word(text_, begin); word > 0) {
+            YamlNode& node = add(YamlKind::scalar, anchor);
+            node.span = {begin, begin + word};
+            node.text = text_.substr(begin, word);
+            attach(node);
+            return;
+        }
+        YamlNode& node = add(YamlKind::null, anchor);
+        const std::size_t place = expects_value() ? after_colon() : at(mark);
+        node.span = {place, place};
+        attach(node);
+    }
+
+    void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
+        const std::size_t begin = at(mark);
+        YamlNode& node = add(YamlKind::alias, YAML::NullAnchor);
+        std::size_t end = begin + 1;
+        while (end < text_.size() && std::string_view(" \t\r\n,[]{}").find(text_[end]) == std::string_view::npos) ++end;
+        node.span = {begin, end};
+        node.text = text_.substr(begin + 1, end - begin - 1);
+        const auto target = anchors_.find(anchor);
+        if (target == anchors_.end() || is_open(target->second))
+            stop(Code::cyclic_alias, begin, fmt::format("*{} stands inside &{}, which it repeats", node.text, node.text));
+        node.target = target->second;
+        ++node.target->references;
+        node.height = node.target->height;
+        node.weight = node.target->weight;
+        if (open_.size() + node.height > limits_.depth || (expanded_ += node.weight) > limits_.events)
+            stop(Code::alias_bomb, begin, "the aliases up to here expand to more than the limits allow");
+        attach(node);
+    }
+
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+        refuse_tag(mark, tag);
+        if (value.size() > limits_.scalar_bytes)
+            stop(Code::scalar_too_long, at(mark),
+                 fmt::format("a value of {} bytes; at most {} are read", value.size(), limits_.scalar_bytes));
+        YamlNode& node = add(YamlKind::scalar, anchor);
+        const std::size_t begin = skip_properties(text_, at(mark));
+        node.style = scalar_style(text_, begin);
+        node.span = {begin, scalar_end(text_, begin, node.style, value, indent())};
+        if (node.style != YamlStyle::plain && node.style != YamlStyle::block_text && !is_closed(node.span))
+            stop(Code::yaml_syntax, begin, "this quote is never closed");
+        const std::string_view written = text_.substr(begin, node.span.end - begin);
+        const std::string_view inner = node.style == YamlStyle::plain || written.size() < 2 ? written : written.substr(1, written.size() - 2);
+        node.text = inner == value ? inner : tree_.texts.emplace_back(value);
+        attach(node);
+    }
+
+    void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                         YAML::EmitterStyle::value style) override {
+        refuse_tag(mark, tag);
+        open(YamlKind::sequence, mark, anchor, style == YAML::EmitterStyle::Flow ? YamlStyle::flow : YamlStyle::block);
+    }
+    void OnSequenceEnd() override { close(']'); }
+
+    void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                    YAML::EmitterStyle::value style) override {
+        refuse_tag(mark, tag);
+        open(YamlKind::map, mark, anchor, style == YAML::EmitterStyle::Flow ? YamlStyle::flow : YamlStyle::block);
+        keys_.emplace_back();
+    }
+    void OnMapEnd() override {
+        keys_.pop_back();
+        close('}');
+    }
+
+    /// What a parser's exception means for the author.
+    void explain(const YAML::Exception& e) {
+        const std::size_t place = e.mark.is_null() ? text_.size() : std::min(at(e.mark), text_.size());
+        const std::string_view what = e.msg;
+        if (what == YAML::ErrorMsg::UNKNOWN_ANCHOR)
+            return report(Code::unknown_alias, place, "this alias names no anchor above it",
+                          "a value that begins with * must be quoted; there are no wildcards");
+        if (what == YAML::ErrorMsg::BAD_FILE) return report(Code::too_deep, place, "the nesting is too deep");
+        if (what == YAML::ErrorMsg::TAB_IN_INDENTATION)
+            return report(Code::tab_indentation, place, "a tab in the indentation", "indent with spaces");
+        if (what == YAML::ErrorMsg::END_OF_MAP_FLOW || what == YAML::ErrorMsg::END_OF_SEQ_FLOW) return explain_unclosed(place);
+        report(Code::yaml_syntax, place, std::string(what), hint_for(what));
+    }
+
+private:
+    struct Open {
+        YamlNode* node;
+        int column;  // of a block collection's first key or dash: what belongs to it is indented deeper
+    };
+
+    std::size_t at(const YAML::Mark& mark) const { return static_cast<std::size_t>(mark.pos) + mark_offset_; }
+
+    void report(Code code, std::size_t place, std::string message, std::string hint = {}) {
+        tree_.diagnostics.push_back(diagnose(code, {place, std::min(place + 1, text_.size())}, std::move(message), std::move(hint)));
+    }
+    [[noreturn]] void stop(Code code, std::size_t place, std::string message, std::string hint = {}) {
+        report(code, place, std::move(message), std::move(hint));
+        throw Stop{};
+    }
+
+    static std::string hint_for(std::string_view what) {
+        if (what == YAML::ErrorMsg::MAP_VALUE) return "a colon and a blank make a key: quote a text that holds them, and align keys";
+        if (what == YAML::ErrorMsg::UNKNOWN_TOKEN) return "quote a text that begins with a sign";
+        if (what == YAML::ErrorMsg::EOF_IN_SCALAR) return "a quote is never closed";
+        if (what == YAML::ErrorMsg::END_OF_MAP || what == YAML::ErrorMsg::END_OF_SEQ) return "lines of one list or map begin in the same column";
+        return {};
+    }
+
+    void explain_unclosed(std::size_t place) {
+        std::size_t begin = place;
+        for (auto it = open_.rbegin(); it != open_.rend() && begin == place; ++it)
+            if (it->node->style == YamlStyle::flow) begin = it->node->span.begin;
+        if (const auto color = color_in_comment(text_, begin, text_.size()))
+            return report(Code::comment_ate_value, *color, "this # begins a comment that swallows the rest of the line",
+                          "quote the colour: \"#7c5\"");
+        report(Code::yaml_syntax, begin, fmt::format("this {} is never closed", begin < text_.size() ? text_[begin] : '{'));
+    }
+
+    /// The parser gives "?" to plain and "!" to quoted scalars that carry no tag.
+    void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+        std::size_t begin = at(mark);
+        if (begin < text_.size() && text_[begin] == '&') {  // an anchor may stand before a tag
+            while (begin < text_.size() && text_[begin] != ' ' && text_[begin] != '\n') ++begin;
+            begin = skip_blank(text_, begin);
+        }
+        const bool bare = tag.empty() || tag == "?" || (tag == "!" && (begin >= text_.size() || text_[begin] != '!'));
+        if (!bare) stop(Code::tag, begin, fmt::format("the tag {} is not part of the format", tag), "quote a text that begins with !");
+    }
+
+    YamlNode& add(YamlKind kind, YAML::anchor_t anchor) {
+        if (++expanded_ > limits_.events || tree_.nodes.size() >= limits_.events)
+            stop(Code::too_many_events, place_so_far(), fmt::format("more than {} YAML events", limits_.events));
+        YamlNode& node = tree_.nodes.emplace_back();
+        node.kind = kind;
+        if (anchor != YAML::NullAnchor) {
+            node.anchored = true;
+            anchors_[anchor] = &node;
+        }
+        return node;
+    }
+
+    std::size_t place_so_far() const { return tree_.nodes.empty() ? 0 : tree_.nodes.back().span.begin; }
+
+    bool is_open(const YamlNode* node) const {
+        return std::any_of(open_.begin(), open_.end(), [&](const Open& o) { return o.node == node; });
+    }
+    bool expects_value() const {
+        return !open_.empty() && open_.back().node->kind == YamlKind::map && open_.back().node->items.size() % 2 == 1;
+    }
+    std::size_t after_colon() const {
+        const std::size_t end = open_.back().node->items.back()->span.end, colon = skip_spaces(text_, end);
+        return colon < text_.size() && text_[colon] == ':' ? colon + 1 : end;
+    }
+    bool is_closed(Span span) const { return span.end > span.begin + 1 && text_[span.end - 1] == text_[span.begin]; }
+    int indent() const { return open_.empty() ? -1 : open_.back().column; }
+
+    void attach(YamlNode& node) {
+        if (open_.empty()) {
+            tree_.root = &node;
+            return;
+        }
+        YamlNode& parent = *open_.back().node;
+        node.parent = &parent;
+        if (parent.kind == YamlKind::map && parent.items.size() % 2 == 0) check_key(node);
+        parent.items.push_back(&node);
+    }
+
+    void check_key(const YamlNode& key) {
+        if (key.kind != YamlKind::scalar) {
+            report(Code::bad_key, key.span.begin, "a key is a plain word");
+            return;
+        }
+        if (key.text == "<<" && key.style == YamlStyle::plain)
+            report(Code::merge_key, key.span.begin, "the merge key << is not part of the format", "write the fields out");
+        else if (!keys_.back().insert(key.text).second && tree_.diagnostics.size() < limits_.errors)
+            report(Code::duplicate_key, key.span.begin, fmt::format("{} is said twice here", key.text), "remove one of the two");
+    }
+
+    void open(YamlKind kind, const YAML::Mark& mark, YAML::anchor_t anchor, YamlStyle style) {
+        if (open_.size() >= limits_.depth)
+            stop(Code::too_deep, at(mark), fmt::format("more than {} levels are nested", limits_.depth));
+        YamlNode& node = add(kind, anchor);
+        const std::size_t begin = skip_properties(text_, at(mark));
+        node.style = style;
+        node.span = {begin, begin};
+        if (kind == YamlKind::map && style == YamlStyle::flow && (begin >= text_.size() || text_[begin] != '{')) node.style = YamlStyle::pair;
+        attach(node);
+        const int column = style == YamlStyle::block ? static_cast<int>(begin - line_begin(text_, begin)) : indent();
+        open_.push_back({&node, column});
+    }
+
+    void close(char bracket) {
+        YamlNode& node = *open_.back().node;
+        open_.pop_back();
+        std::size_t end = node.items.empty() ? node.span.begin + 1 : node.items.back()->span.end;
+        if (node.style == YamlStyle::flow) {
+            while (end < text_.size() && text_[end] != bracket) {
+                const std::size_t next = skip_blank(text_, end);
+                end = next == end ? end + 1 : next;  // steps over the comma and the colon of a missing value
+            }
+            ++end;
+        }
+        node.span.end = std::min(end, text_.size());
+        for (const YamlNode* item : node.items) {
+            node.weight += item->weight;
+            node.height = std::max(node.height, item->height + 1);
+        }
+    }
+
+    std::string_view text_;
+    const Limits& limits_;
+    YamlTree& tree_;
+    std::size_t mark_offset_;
+    std::vector<Open> open_;
+    std::vector<std::set<std::string_view>> keys_;  // of each open map
+    std::map<YAML::anchor_t, YamlNode*> anchors_;
+    std::uint64_t expanded_ = 0;
+};
+
+}  // namespace
+
+bool YamlNode::is_empty() const {
+    return kind == YamlKind::null ||
+           (kind == YamlKind::scalar && style == YamlStyle::plain && (text == "~" || text == "null" || text == "Null" || text == "NULL"));
+}
+
+const YamlNode* YamlNode::find(std::string_view wanted) const {
+    if (kind != YamlKind::map) return nullptr;
+    for (std::size_t i = 0; i < entries(); ++i)
+        if (key(i).text == wanted) return &value(i).resolved();
+    return nullptr;
+}
+
+YamlTree read_yaml(const SourceText& source, const Limits& limits) {
+    YamlTree tree;
+    tree.diagnostics = check_text(source, limits);
+    if (has_errors(tree.diagnostics)) return tree;
+    Builder builder(source, limits, tree);
+    Bytes bytes(std::string_view(source.text()).substr(byte_order_mark(source.text())));
+    std::istream in(&bytes);
+    try {
+        YAML::Parser parser(in);
+        while (parser.HandleNextDocument(builder)) {}
+        if (!tree.root) tree.diagnostics.push_back(diagnose(Code::empty_file, {0, 0}, "the file holds no table", "begin with: pinfield: 1"));
+        return tree;
+    } catch (const Stop&) {
+    } catch (const YAML::Exception& e) {
+        builder.explain(e);
+    }
+    tree.root = nullptr;
+    return tree;
+}
+
+}  // namespace pinfield
