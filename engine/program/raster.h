@@ -18,8 +18,8 @@ struct Raster {
 /// (Lipschitz pruning), so most pixels evaluate one or two.
 void rasterize(const Field& field, LayerMask layers, sdf::Isa isa, Raster& raster);
 
-/// Lays a mover, at position q of its degree of freedom, over a raster of the static field (minimum of both).
-void rasterize_over(const Mover& mover, double q, sdf::Isa isa, Raster& raster);
+/// Lays a mover, at its present place, over a raster of the static field (minimum of both).
+void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf::Isa isa, Raster& raster);
 
 /// Colours a raster: 3 bytes a pixel, row 0 at the top.
 enum class RasterStyle : unsigned char { shaded, isolines };

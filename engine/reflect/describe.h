@@ -48,13 +48,13 @@ struct FieldMeta {
 };
 
 template <class T, class M>
-struct Field {
+struct FieldDescription {
     std::string_view key;
     M T::*member;
     FieldMeta meta;
 };
 template <class T, class M>
-constexpr Field<T, M> field(std::string_view key, M T::*member, FieldMeta meta) {
+constexpr FieldDescription<T, M> field(std::string_view key, M T::*member, FieldMeta meta) {
     return {key, member, meta};
 }
 

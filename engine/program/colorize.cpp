@@ -1,0 +1,115 @@
+// A raster's colours on the CPU: what `pinfield render` writes. The editor's shader follows the same recipe on the GPU.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/core/color.h"
+#include "engine/program/raster.h"
+
+namespace pinfield {
+namespace {
+
+using Rgb = Eigen::Vector3f;  // linear light, 0..1
+
+float smoothstep(float lo, float hi, float v) {
+    const float t = std::clamp((v - lo) / (hi - lo), 0.0f, 1.0f);
+    return t * t * (3 - 2 * t);
+}
+Rgb mix(const Rgb& a, const Rgb& b, float t) { return a + (b - a) * t; }
+
+/// sRGB transfer with an exponent of 2: close to the standard's curve, and the square root is exact on every machine.
+Rgb from_srgb(Color c) {
+    const Rgb v(static_cast<float>(c.r) / 255, static_cast<float>(c.g) / 255, static_cast<float>(c.b) / 255);
+    return v.cwiseProduct(v);
+}
+void store(const Rgb& c, unsigned char* pixel) {
+    for (int i = 0; i < 3; ++i)
+        pixel[i] = static_cast<unsigned char>(255 * std::sqrt(std::clamp(c[i], 0.0f, 1.0f)) + 0.5f);
+}
+
+/// The theme: a night-blue playfield, slate walls. Blue against sand stays apart for every common colour blindness.
+const Rgb playfield_low = from_srgb({22, 30, 44}), playfield_high = from_srgb({36, 50, 70});
+const Rgb wall = from_srgb({104, 121, 143});
+const Rgb band_outside = from_srgb({214, 164, 92}), band_inside = from_srgb({86, 148, 205}), zero_line = from_srgb({250, 248, 240});
+
+struct Sampler {
+    const Raster& raster;
+    float pixel;  // metres
+
+    float at(int x, int y) const {
+        x = std::clamp(x, 0, raster.width - 1);
+        y = std::clamp(y, 0, raster.height - 1);
+        return raster.distance[static_cast<std::size_t>(y * raster.width + x)];
+    }
+    /// Gradient of the distance by central differences, y up.
+    Eigen::Vector2f gradient(int x, int y) const {
+        return Eigen::Vector2f(at(x + 1, y) - at(x - 1, y), at(x, y - 1) - at(x, y + 1)) / (2 * pixel);
+    }
+};
+
+/// Space lies a little lower than the solids: they throw a soft shadow on it, longer below and to the right.
+Rgb shade_outside(const Sampler& s, int x, int y, float d) {
+    const float height = 1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(s.raster.height);
+    const Rgb base = mix(playfield_low, playfield_high, height);
+    const int shift = static_cast<int>(0.004f / s.pixel + 0.5f);  // the light comes from the upper left
+    const float lit = s.at(x - shift, y - shift);
+    const float contact = 1 - 0.35f * (1 - smoothstep(0, 0.010f, d));
+    const float cast = 1 - 0.45f * (1 - smoothstep(-0.003f, 0.006f, lit));
+    return base * (contact * cast);
+}
+
+/// Solids have a rounded edge a few millimetres wide that catches the light, and are matt within.
+Rgb shade_inside(const Sampler& s, int x, int y, float d, const Rgb& color) {
+    const float edge = 1 - smoothstep(0, 0.005f, -d);
+    const Eigen::Vector2f g = s.gradient(x, y);
+    const float toward_light = (-0.6f * g.x() + 0.8f * g.y());
+    const float depth = 1 - 0.32f * smoothstep(0.004f, 0.06f, -d);
+    return color * (depth * (0.92f + 0.38f * edge * toward_light)) + Rgb::Constant(0.035f * edge * std::max(toward_light, 0.0f));
+}
+
+Rgb shaded(const Sampler& s, int x, int y, const std::vector<Rgb>& materials) {
+    const std::size_t i = static_cast<std::size_t>(y * s.raster.width + x);
+    const float d = s.raster.distance[i];
+    const float solid = 1 - smoothstep(-0.5f * s.pixel, 0.5f * s.pixel, d);
+    Rgb out = solid < 1 ? shade_outside(s, x, y, std::max(d, 0.0f)) : Rgb(0, 0, 0);
+    if (solid > 0) {
+        const int material = s.raster.material[i];
+        const Rgb& color = material < 0 ? wall : materials[static_cast<std::size_t>(material)];
+        out = mix(out, shade_inside(s, x, y, std::min(d, 0.0f), color), solid);
+    }
+    return out;
+}
+
+/// Bands every 10 mm with a line each, the zero line white; darker towards the outline, so that depth can be read.
+Rgb isolines(const Sampler& s, int x, int y) {
+    const float d = s.at(x, y), spacing = 0.010f;
+    const float away = std::fabs(d);
+    Rgb out = d < 0 ? band_inside : band_outside;
+    out *= 0.55f + 0.45f * smoothstep(0, 0.06f, away);
+    const float phase = away / spacing - std::floor(away / spacing + 0.5f);
+    const float line = 1 - smoothstep(0.6f * s.pixel, 1.4f * s.pixel, std::fabs(phase) * spacing);
+    out *= 1 - 0.35f * line;
+    const float zero = 1 - smoothstep(1.0f * s.pixel, 2.0f * s.pixel, away);
+    return mix(out, zero_line, zero);
+}
+
+}  // namespace
+
+std::vector<unsigned char> colorize(const Raster& raster, const Program& program, RasterStyle style) {
+    std::vector<Rgb> materials;
+    for (const MaterialRecord& material : program.materials) {
+        const std::optional<Color> color = parse_color(material.color);
+        materials.push_back(color ? from_srgb(*color) : wall);
+    }
+    const Sampler sampler{raster, static_cast<float>(raster.window.size().x() / raster.width)};
+    std::vector<unsigned char> image(3 * raster.distance.size());
+    for (int y = 0; y < raster.height; ++y)
+        for (int x = 0; x < raster.width; ++x) {
+            const Rgb color = style == RasterStyle::shaded ? shaded(sampler, x, y, materials) : isolines(sampler, x, y);
+            store(color, image.data() + 3 * (y * raster.width + x));
+        }
+    return image;
+}
+
+}  // namespace pinfield
