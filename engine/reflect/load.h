@@ -35,9 +35,9 @@ inline void load_member(M T::*member, T& node, const double* block, int& slot) {
         out = block[slot++] != 0;
     } else if constexpr (std::is_same_v<M, int> || std::is_enum_v<M>) {
         out = static_cast<M>(static_cast<int>(block[slot++]));
-    } else if constexpr (std::is_constructible_v<M, double>) {
+    } else if constexpr (!requires { typename M::value_type; }) {  // texts and names are not packed
         out = M(block[slot++]);
-    }  // texts and names are not packed
+    }
 }
 
 }  // namespace detail
