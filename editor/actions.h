@@ -1,13 +1,12 @@
 // Everything a user can do by name: menus, shortcuts and scripts all read this one table. No ImGui.
 #pragma once
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pinfield::editor {
 
-/// A key chord such as "Ctrl+Shift+Z", "F5", "." ; keys have the names of InputBinding.
+/// A shortcut is a chord such as "Ctrl+Shift+Z", "F5" or ".": a key by its name as in a table's inputs, or by the character on it.
 struct Action {
     std::string_view name;      ///< "file.save"
     std::string_view label;     ///< "Save"
@@ -19,5 +18,7 @@ struct Action {
 /// The table, in menu order.
 const std::vector<Action>& all_actions();
 const Action* find_action(std::string_view name);
+/// The action of a chord, or null.
+const Action* action_of(std::string_view shortcut);
 
 }  // namespace pinfield::editor

@@ -4,18 +4,22 @@
 #include <optional>
 #include <string>
 
+#include "editor/actions.h"
 #include "editor/document.h"
 #include "editor/session.h"
 #include "editor/view.h"
 
 namespace pinfield::editor {
 
-/// A question the user must answer before unsaved work would be lost, and what goes on after.
+/// A question the user must answer before unsaved work would be lost (by prompt.save, prompt.discard or prompt.cancel),
+/// and what goes on after.
 struct Prompt {
     std::string question;
     std::string then_action;  ///< run when the answer is save or discard: "file.new", "file.open", "app.quit"
+    std::string path{};       ///< the file that then_action opens; empty: it asks
 };
 
+/// A path is being asked for: answered by dialog.accept (with dialog_path filled in) or dialog.cancel.
 struct AppState {
     AppState(std::shared_ptr<const Catalogue> catalogue, Document document);
 
@@ -26,8 +30,11 @@ struct AppState {
     NodeId selection;
     std::optional<Prompt> prompt;
     std::string message;        ///< status line; what the last action said
+    bool message_is_problem = false;
     std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for
     std::string dialog_path;
+    std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
+    DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
     bool quit = false;
     bool show_help = false;
 };
@@ -36,8 +43,20 @@ struct AppState {
 bool enabled(const AppState& state, std::string_view action);
 void run(AppState& state, std::string_view action);
 
+/// Opens a file in place of the document (a drop, a recent file), after asking about unsaved work.
+void open_file(AppState& state, const std::string& path);
+/// Applies one edit as one undo step; a refusal becomes the message. True when it was applied.
+bool edit(AppState& state, const Edit& change, const std::string& label);
+/// Lets the running table take what changed, then advances it: once a frame.
+void advance(AppState& state, int ticks);
+/// Follows the file when it was changed outside: now and then.
+void look_at_disk(AppState& state);
+/// A key goes to the inputs that the table binds to it; false when it binds none.
+bool press_key(AppState& state, std::string_view key, bool down);
+
 /// Scene node whose solid is at (or within `slack` metres of) a world point, movers included; the smallest one when several
-/// overlap; none in free space. Locked nodes do not count, nor does the domain.
+/// overlap; none in free space. Sensors answer within their region, and every part with no solid within 12 mm of its place.
+/// Locked nodes do not count, nor does the domain.
 NodeId pick(const AppState& state, const Vec2& world, double slack);
 
 }  // namespace pinfield::editor

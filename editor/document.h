@@ -32,14 +32,17 @@ public:
 
     const SourceText& source() const { return *source_; }
     const Scene& scene() const { return *scene_; }
-    const Diagnostics& diagnostics() const { return diagnostics_; }
+    /// What is wrong in diagnosed(): the file as it was opened, or, while the disk holds a broken text, that text.
+    const Diagnostics& diagnostics() const { return broken_ ? broken_diagnostics_ : diagnostics_; }
+    const SourceText& diagnosed() const { return broken_ ? *broken_ : *source_; }
     const std::string& path() const { return path_; }  ///< empty: never saved
     bool dirty() const;                                ///< the text differs from the disk's as last seen
 
     /// Shows an edit without writing it: the scene changes, the text does not (a drag in progress). Several previews of one
     /// field replace each other; several fields may be previewed together. Why not, or nothing.
     std::optional<std::string> preview(const Edit& edit);
-    /// Turns what is previewed into one text patch each and one undo step. `label` names the step ("Move pop").
+    /// Turns what is previewed into one text patch each and one undo step. `label` names the step ("Move pop"). When a patch is
+    /// refused the preview is taken back and the reason returned. A preview that came back to where it began leaves no step.
     std::optional<std::string> commit(const std::string& label);
     /// Takes the preview back (Esc during a drag).
     void cancel_preview();
@@ -49,6 +52,7 @@ public:
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ < history_.size(); }
+    /// While something is previewed, either one only takes the preview back.
     void undo();
     void redo();
     const std::string* undo_label() const;
@@ -56,29 +60,40 @@ public:
 
     /// Atomic; refuses when the disk no longer holds what was loaded or saved last.
     Result<void> save();
+    /// Atomic; overwrites what is there: who names a path has been asked.
     Result<void> save_as(const std::string& path);
     /// Looks at the disk: a clean document follows it (broken text keeps the last good scene and shows its problems);
     /// a dirty one whose file changed outside reports a conflict and changes nothing.
     DiskState check_disk();
+    /// Takes the disk's text in place of the document's, whatever was edited; undo brings it back. Fails on a broken text.
+    Result<void> reload();
 
     /// Scene changes since the last call, for the running table.
     std::vector<SceneChange> take_changes();
 
 private:
+    /// Edits say what became of a field, so that nodes keep their ids; a step that replaced the whole text keeps both scenes.
     struct Step {
         std::string label;
         std::vector<Edit> forward, backward;
-        std::string text_before, text_after;
+        std::shared_ptr<const SourceText> source_before, source_after;
+        std::shared_ptr<const Scene> scene_before, scene_after;
     };
 
     Document() = default;
-    void adopt(std::shared_ptr<const SourceText> source, bool keep_ids);
-    void replay(const std::vector<Edit>& edits, const std::string& text);
+    std::shared_ptr<const SourceText> named(std::string text) const;
+    void take_text(std::shared_ptr<const SourceText> source, const Scene* ids_from);
+    void replay(const std::vector<Edit>& edits, std::shared_ptr<const SourceText> source, const Scene* replaced_by);
+    void follow_disk(std::shared_ptr<const SourceText> source);
+    void push(Step step);
+    std::vector<Edit>::iterator previewed(const Edit& edit);
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::shared_ptr<const SourceText> source_;
     std::shared_ptr<Scene> scene_;
     Diagnostics diagnostics_;
+    std::shared_ptr<const SourceText> broken_;  ///< what the disk holds when that cannot be read
+    Diagnostics broken_diagnostics_;
     std::string path_;
     std::string disk_text_;
     std::vector<Step> history_;

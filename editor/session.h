@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "editor/document.h"
@@ -32,24 +33,38 @@ public:
 
     /// Runs `ticks` ticks (divided by slow motion) when playing. Counts hits, puts drained balls back after a second.
     void advance(int ticks);
+    /// An input of the table by its name; one the table does not have is ignored.
     void press(const std::string& input, bool down);
+    void release_all();
 
     const World& world() const { return *world_; }
     World& world() { return *world_; }
     const Program& program() const { return world_->program(); }
+    /// Where the i-th mover is now: its Field's frame -> world.
+    Similarity world_from_mover(int mover) const;
     /// Bumper hits since the last reset, in all and by scene node.
     int hits() const { return hits_; }
     int hits_of(NodeId node) const;
     int drained() const { return drained_; }
 
 private:
+    void start(ProgramPtr program);
+    void adopt(ProgramPtr program);
+    void step();
+    void count_events();
+    void put_balls_back();
+
     std::optional<World> world_;
     Diagnostics problems_;
+    bool stale_ = false;  ///< the running program is not that of the scene: only a full compile can mend it
     bool playing_ = true;
     int slow_motion_ = 1, owed_ticks_ = 0;
     int hits_ = 0, drained_ = 0;
+    std::map<NodeId, NodeId> bumper_of_;  ///< scene node whose surface it is -> the bumper it belongs to
     std::map<NodeId, int> hits_by_node_;
+    std::map<BallId, NodeId> spawn_of_;
     std::map<BallId, std::int64_t> back_at_tick_;
+    std::set<std::string> held_;
 };
 
 }  // namespace pinfield::editor

@@ -1,0 +1,75 @@
+// What a hand does to a node, as Edits: dragging it, scrubbing a number, typing a value. Each previews while it goes on and
+// commits once at its end. No window, no ImGui.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "editor/document.h"
+
+namespace pinfield::editor {
+
+/// 0: no grid, but still whole hundredths of a millimetre, so that files stay readable.
+inline constexpr double default_grid = 0.001;
+
+/// The edit that moves a node by a world vector: its `at`, in the parent's frame, on the grid (of that frame, metres).
+/// A coordinate that does not move keeps its bits. `at_before`: where the drag began.
+Edit moved(const Scene& scene, NodeId node, const Vec2& at_before, const Vec2& world_delta, double grid);
+
+/// A node being dragged: begin, update any number of times, end or cancel.
+class NodeDrag {
+public:
+    bool active() const { return static_cast<bool>(node_); }
+    NodeId node() const { return node_; }
+    /// False, and nothing begins, for what cannot be moved: records, locked nodes.
+    bool begin(const Document& document, NodeId node, const Vec2& world);
+    /// Why the node did not follow, or nothing. `axis_lock` keeps the smaller of both components still.
+    std::optional<std::string> update(Document& document, const Vec2& world, double grid, bool axis_lock = false);
+    /// One undo step; why it was refused, or nothing.
+    std::optional<std::string> end(Document& document);
+    void cancel(Document& document);
+
+private:
+    NodeId node_;
+    Vec2 at_before_{0, 0}, world_before_{0, 0};
+};
+
+/// How many numbers a value is made of (2 of a vec2, two per point of a list), and each of them.
+int component_count(const Value& value);
+double component(const Value& value, int index);
+Value with_component(Value value, int index, double x);
+
+/// What one step of a scrub is, in the field's own unit: the field's, or one that suits the value.
+double scrub_step(const FieldType& field, double value);
+
+/// A number being changed by dragging it sideways: one step a pixel (an integer: one in eight).
+class Scrub {
+public:
+    bool active() const { return static_cast<bool>(node_); }
+    NodeId node() const { return node_; }
+    int field() const { return field_; }
+    bool begin(const Document& document, NodeId node, int field, int component = 0);
+    /// `pixels` since the begin; fine: a tenth, coarse: ten times. Never leaves what refuse() allows: it stops at the last
+    /// value on the way that is valid.
+    void update(Document& document, double pixels, bool fine = false, bool coarse = false);
+    std::optional<std::string> end(Document& document);
+    void cancel(Document& document);
+
+private:
+    NodeId node_;
+    int field_ = 0, component_ = 0;
+    Value before_;
+};
+
+/// A value in the format's own spelling ("30mm", "[0.26, 800mm]", "crimson"), or why it is none.
+Result<Value> value_of(const FieldType& field, std::string_view text);
+/// A field as the author wrote it, else as the format would: what an inspector shows for typing over.
+std::string text_of(const Document& document, NodeId node, int field);
+/// Sets a field from text as one undo step; why not, or nothing.
+std::optional<std::string> set_from_text(Document& document, NodeId node, int field, std::string_view text);
+
+/// "Move pop", "Change radius of pop": what the history calls an edit.
+std::string move_label(const Scene& scene, NodeId node);
+std::string change_label(const Scene& scene, NodeId node, int field);
+
+}  // namespace pinfield::editor
