@@ -1,0 +1,176 @@
+// Shader sources, without their first line: each compiles as GLSL 330 core and as GLSL 300 es.
+#pragma once
+
+namespace pinfield::shaders {
+
+/// Places are pixels of the canvas, y down, from its top left corner.
+inline constexpr const char* quad_vertex = R"(
+in vec2 place;
+in vec2 picture;
+in float extra;
+uniform vec2 canvas;
+out vec2 at;
+out vec2 pixel;
+out float more;
+void main() {
+    at = picture;
+    pixel = place;
+    more = extra;
+    gl_Position = vec4(2.0 * place.x / canvas.x - 1.0, 1.0 - 2.0 * place.y / canvas.y, 0.0, 1.0);
+}
+)";
+
+/// The static field and the movers. A colour is looked up by material; light comes from the upper left and its shadow is
+/// read from the distance field itself, a step towards the light.
+inline constexpr const char* field_fragment = R"(
+in vec2 at;
+in vec2 pixel;
+in float more;
+uniform sampler2D distances;
+uniform isampler2D materials;
+uniform vec3 palette[64];
+uniform vec2 texels;
+uniform vec2 light;            // in the picture's own frame, unit, towards the light, y up
+uniform float metres_per_texel;
+uniform float pixels_per_metre;
+uniform vec2 world_corner;     // the canvas's top left
+uniform vec2 table;            // size
+uniform vec4 floor_low;
+uniform vec4 floor_high;
+uniform vec4 backdrop;
+uniform int mover;             // 1: only the solid and its shadow, over what is there
+uniform int isolines;
+uniform float spacing;         // of isolines, metres
+out vec4 color;
+
+float distance_at(vec2 p) { return texture(distances, p).r; }
+
+vec4 lines(float d) {
+    float ppm = pixels_per_metre;
+    vec3 free_near = vec3(0.13, 0.25, 0.36), free_far = vec3(0.055, 0.085, 0.13);
+    vec3 solid_near = vec3(0.56, 0.34, 0.12), solid_far = vec3(0.20, 0.125, 0.07);
+    float fade = 1.0 - exp(-abs(d) / 0.045);
+    vec3 c = d > 0.0 ? mix(free_near, free_far, fade) : mix(solid_near, solid_far, fade);
+    float s = d / spacing;
+    float to_line = abs(s - floor(s + 0.5)) * spacing * ppm;
+    float tenth = s / 5.0;
+    float to_fifth = abs(tenth - floor(tenth + 0.5)) * 5.0 * spacing * ppm;
+    vec3 ink = d > 0.0 ? vec3(0.46, 0.74, 0.93) : vec3(0.98, 0.72, 0.36);
+    c = mix(c, ink, 0.26 * (1.0 - smoothstep(0.3, 1.1, to_line)));
+    c = mix(c, ink, 0.34 * (1.0 - smoothstep(0.4, 1.3, to_fifth)));
+    c = mix(c, vec3(0.97, 0.96, 0.93), 1.0 - smoothstep(0.7, 1.7, abs(d) * ppm));
+    return vec4(c, 1.0);
+}
+
+float rounded_box(vec2 p, vec2 half_size, float r) {
+    vec2 q = abs(p) - half_size + r;
+    return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0) - r;
+}
+
+vec3 solid_color(vec3 base, float d, float slope) {
+    // A bevel: bright where the edge faces the light, dark on the other side, flat further in.
+    float depth = -d * 1000.0;
+    float bevel = exp(-max(depth - 0.2, 0.0) / 0.9);
+    vec3 c = base * (0.94 + 0.10 * exp(-depth / 14.0));
+    c += bevel * max(slope, 0.0) * vec3(0.30, 0.29, 0.27);
+    c *= 1.0 - 0.42 * bevel * max(-slope, 0.0);
+    return c;
+}
+
+void main() {
+    float d = distance_at(at);
+    vec2 step_x = vec2(1.0 / texels.x, 0.0), step_y = vec2(0.0, 1.0 / texels.y);
+    vec2 g = vec2(distance_at(at + step_x) - distance_at(at - step_x), distance_at(at - step_y) - distance_at(at + step_y));
+    float slope = dot(g, light) / max(length(g), 1e-9);
+    ivec2 texel = ivec2(clamp(at * texels, vec2(0.0), texels - 1.0));
+    int material = texelFetch(materials, texel, 0).r;
+    vec3 base = palette[clamp(material, 0, 63)];
+    float cover = clamp(0.5 - d * pixels_per_metre, 0.0, 1.0);
+    vec2 towards_light = vec2(light.x, -light.y) / (texels * metres_per_texel);
+    float shade = 0.52 * (1.0 - smoothstep(-0.0035, 0.0035, distance_at(at + 0.0075 * towards_light)));
+
+    if (mover == 1) {
+        if (isolines == 1) { color = cover * vec4(lines(d).rgb, 1.0); return; }
+        float alpha = max(cover, shade * 0.9);
+        vec3 c = mix(vec3(0.0), solid_color(base, d, slope), cover);
+        color = vec4(c * cover, alpha);      // premultiplied
+        return;
+    }
+    if (isolines == 1) { color = lines(d); return; }
+
+    vec2 world = world_corner + vec2(pixel.x, 0.0) / pixels_per_metre;
+    world.y = world_corner.y - pixel.y / pixels_per_metre;
+    vec2 middle = 0.5 * table;
+    float height = clamp(world.y / max(table.y, 1e-6), 0.0, 1.0);
+    vec3 floor_color = mix(floor_low.rgb, floor_high.rgb, height);
+    float across = (world.x - middle.x) / max(middle.x, 1e-6);
+    floor_color *= 1.06 - 0.16 * across * across;
+    floor_color *= 1.0 - 0.30 * exp(-max(d, 0.0) / 0.006);   // light does not reach into corners
+    floor_color *= 1.0 - shade;
+    vec3 c = mix(floor_color, solid_color(base, d, slope), cover);
+
+    // The cabinet: the table's rectangle with a rim, on the window's backdrop.
+    float rim = 0.014;
+    float outer = rounded_box(world - middle, middle + rim, rim + 0.006);
+    float inner = rounded_box(world - middle, middle, 0.006);
+    vec3 wood = vec3(0.110, 0.118, 0.138) * (1.0 + 0.25 * smoothstep(0.0, -rim, outer));
+    wood += 0.10 * exp(-abs(outer) * pixels_per_metre / 1.2);
+    float in_rim = clamp(0.5 + inner * pixels_per_metre, 0.0, 1.0);
+    c = mix(c, wood, in_rim);
+    float outside = clamp(0.5 + outer * pixels_per_metre, 0.0, 1.0);
+    vec3 ground = backdrop.rgb * (1.0 - 0.45 * exp(-max(outer, 0.0) / 0.020));
+    color = vec4(mix(c, ground, outside), 1.0);
+}
+)";
+
+/// A ball seen from above: polished steel. `more` is its radius in pixels; 0 draws the shadow instead.
+inline constexpr const char* ball_fragment = R"(
+in vec2 at;
+in vec2 pixel;
+in float more;
+uniform float ghost;
+out vec4 color;
+void main() {
+    float r = length(at);
+    if (more <= 0.0) {
+        color = vec4(0.0, 0.0, 0.0, 0.55 * (1.0 - smoothstep(0.55, 1.0, r)));
+        return;
+    }
+    float cover = clamp(0.5 + (1.0 - r) * more, 0.0, 1.0);
+    float z = sqrt(max(1.0 - r * r, 0.0));
+    vec3 n = vec3(at, z);
+    // What a sphere of steel mirrors: a bright ceiling above, a dark table below the horizon, a soft lamp at the upper left.
+    vec3 mirrored = reflect(vec3(0.0, 0.0, -1.0), n);
+    float sky = smoothstep(-0.75, 0.95, mirrored.z + 0.35 * mirrored.y - 0.20 * mirrored.x);
+    vec3 c = mix(vec3(0.16, 0.18, 0.22), vec3(0.80, 0.83, 0.87), sky);
+    c = mix(c, vec3(0.46, 0.50, 0.56), 0.55 * (1.0 - smoothstep(0.0, 0.10, abs(mirrored.z - 0.12))));
+    float lamp = max(dot(n, normalize(vec3(-0.42, 0.52, 0.74))), 0.0);
+    c += 0.95 * pow(lamp, 60.0) + 0.16 * pow(lamp, 6.0);
+    c *= 0.70 + 0.30 * smoothstep(0.0, 0.35, z);
+    color = vec4(c * cover, cover) * (1.0 - ghost);
+}
+)";
+
+/// Outline and light fill of one node's solid.
+inline constexpr const char* outline_fragment = R"(
+in vec2 at;
+in vec2 pixel;
+in float more;
+uniform sampler2D distances;
+uniform float pixels_per_metre;
+uniform vec4 line;
+uniform float width;           // pixels
+uniform float fill;            // opacity of the inside
+uniform float hatch;           // opacity of slanted stripes inside
+out vec4 color;
+void main() {
+    float d = texture(distances, at).r * pixels_per_metre;
+    float stroke = 1.0 - smoothstep(0.5 * width - 0.5, 0.5 * width + 0.6, abs(d - 0.5));
+    float inside = clamp(0.5 - d, 0.0, 1.0);
+    float stripe = abs(fract((pixel.x + pixel.y) / 9.0) - 0.5) * 9.0;
+    float ink = max(stroke * line.a, inside * (fill + hatch * clamp(stripe - 2.6, 0.0, 1.0)));
+    color = vec4(line.rgb * ink, ink);
+}
+)";
+
+}  // namespace pinfield::shaders

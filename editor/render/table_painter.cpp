@@ -1,0 +1,166 @@
+#include "editor/render/table_painter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/render/shaders.h"
+
+namespace pinfield {
+
+namespace {
+
+/// Towards the light: from the upper left of the screen.
+const Vec2 world_light(-0.5547, 0.8321);
+constexpr std::size_t palette_size = 64;
+
+/// Canvas pixels of the corners of a box that lies in a frame of its own, from the box's bottom left, counter-clockwise.
+void corners_on_canvas(const Box2& box, const Similarity& world_from_box, const Canvas& canvas, Vec2 (&out)[4]) {
+    const Vec2 corners[4] = {box.lo, {box.hi.x(), box.lo.y()}, box.hi, {box.lo.x(), box.hi.y()}};
+    for (int i = 0; i < 4; ++i) out[i] = canvas.pixel_from_world(world_from_box * corners[i]);
+}
+
+bool same_view(const Canvas& a, const Canvas& b) {
+    return a.size == b.size && a.centre == b.centre && a.pixels_per_metre == b.pixels_per_metre;
+}
+
+/// Box of all solids of a mover, with room for their shadow.
+Box2 mover_window(const Mover& mover) {
+    Box2 box = Box2::empty();
+    for (const Solid& solid : mover.field.solids) box = box.merged(solid.bounds);
+    const double most = 2 * std::max(mover.lever, 0.05);
+    return box.intersected(Box2::centred(most, most)).grown(0.016);
+}
+
+}  // namespace
+
+TablePainter::TablePainter(const Gl& gl)
+    : gl_(gl),
+      field_shader_(gl, shaders::quad_vertex, shaders::field_fragment),
+      ball_shader_(gl, shaders::quad_vertex, shaders::ball_fragment),
+      quads_(gl),
+      table_(gl) {}
+
+void TablePainter::draw(const ProgramPtr& program, std::span<const MoverPlace> places, std::span<const BallMark> balls,
+                        const TableLook& look, const Canvas& canvas) {
+    refresh_table(program, places, look.isolines, canvas);
+    if (!look.isolines) refresh_movers(program, canvas.pixels_per_metre);
+    draw_table(*program, look, canvas);
+    if (!look.isolines) draw_movers(places, look, canvas);
+    draw_balls(balls, canvas);
+}
+
+void TablePainter::refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines,
+                                 const Canvas& canvas) {
+    // Isolines of the whole field need the movers in it; shaded movers are pictures of their own, laid on top.
+    std::vector<double> q;
+    if (isolines)
+        for (const MoverPlace& place : places) q.push_back(place.q);
+    if (program == table_program_ && same_view(canvas, table_canvas_) && q == table_places_) return;
+    table_program_ = program;
+    table_canvas_ = canvas;
+    table_places_ = std::move(q);
+
+    raster_.width = std::max(1, static_cast<int>(canvas.size.x()));
+    raster_.height = std::max(1, static_cast<int>(canvas.size.y()));
+    raster_.window = canvas.world();
+    const sdf::Isa isa = sdf::best_isa();
+    rasterize(program->fixed, ~LayerMask{0}, isa, raster_);
+    for (std::size_t i = 0; i < table_places_.size(); ++i)
+        rasterize_over(program->movers[i], table_places_[i], isa, raster_);
+    table_.upload(raster_.width, raster_.height, raster_.distance.data(), raster_.material.data());
+}
+
+void TablePainter::refresh_movers(const ProgramPtr& program, double pixels_per_metre) {
+    if (program == movers_program_ && pixels_per_metre == movers_scale_) return;
+    movers_program_ = program;
+    movers_scale_ = pixels_per_metre;
+    movers_.clear();
+    for (const Mover& mover : program->movers) {
+        Raster raster;
+        raster.window = mover_window(mover);
+        const Vec2 texels = (pixels_per_metre * raster.window.size()).cwiseMin(2048.0).cwiseMax(4.0);
+        raster.width = static_cast<int>(texels.x());
+        raster.height = static_cast<int>(texels.y());
+        rasterize(mover.field, ~LayerMask{0}, sdf::best_isa(), raster);
+        MoverPicture& picture = movers_.emplace_back();
+        picture.window = raster.window;
+        picture.texture = std::make_unique<FieldTexture>(gl_);
+        picture.texture->upload(raster.width, raster.height, raster.distance.data(), raster.material.data());
+    }
+}
+
+void TablePainter::prepare(const TableLook& look, const Canvas& canvas, const FieldTexture& texture,
+                           double metres_per_texel, const Vec2& light) const {
+    field_shader_.use();
+    field_shader_.set("canvas", canvas.size);
+    field_shader_.set("distances", 0);
+    field_shader_.set("materials", 1);
+    std::vector<Rgb> palette = look.materials;
+    palette.resize(palette_size, palette.empty() ? Rgb{} : palette.front());
+    field_shader_.set("palette", palette);
+    field_shader_.set("texels", Vec2(texture.width(), texture.height()));
+    field_shader_.set("light", light);
+    field_shader_.set("metres_per_texel", metres_per_texel);
+    field_shader_.set("pixels_per_metre", canvas.pixels_per_metre);
+    field_shader_.set("isolines", look.isolines ? 1 : 0);
+    field_shader_.set("spacing", look.line_spacing);
+    texture.bind();
+}
+
+void TablePainter::draw_table(const Program& program, const TableLook& look, const Canvas& canvas) {
+    prepare(look, canvas, table_, 1 / canvas.pixels_per_metre, world_light);
+    const Box2 world = canvas.world();
+    field_shader_.set("world_corner", Vec2(world.lo.x(), world.hi.y()));
+    field_shader_.set("table", program.size);
+    field_shader_.set("floor_low", look.floor_low, 1);
+    field_shader_.set("floor_high", look.floor_high, 1);
+    field_shader_.set("backdrop", look.backdrop, 1);
+    field_shader_.set("mover", 0);
+    gl_.Disable(GL_BLEND);
+    quads_.clear();
+    const double w = canvas.size.x(), h = canvas.size.y();
+    quads_.add({{0, h}, {w, h}, {w, 0}, {0, 0}}, {0, 1}, {1, 0});  // texture row 0 is the top
+    quads_.draw();
+}
+
+void TablePainter::draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas) {
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    for (std::size_t i = 0; i < movers_.size() && i < places.size(); ++i) {
+        const MoverPicture& picture = movers_[i];
+        const Similarity& world_from_mover = places[i].world_from_mover;
+        const double metres_per_texel = picture.window.size().x() / picture.texture->width();
+        prepare(look, canvas, *picture.texture, metres_per_texel, world_from_mover.inverse().direction(world_light));
+        field_shader_.set("mover", 1);
+        Vec2 corners[4];
+        corners_on_canvas(picture.window, world_from_mover, canvas, corners);
+        quads_.clear();
+        quads_.add(corners, {0, 1}, {1, 0});
+        quads_.draw();
+    }
+}
+
+void TablePainter::draw_balls(std::span<const BallMark> balls, const Canvas& canvas) {
+    gl_.Enable(GL_BLEND);
+    gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    ball_shader_.use();
+    ball_shader_.set("canvas", canvas.size);
+    const auto add = [&](const Vec2& centre, double reach, double extra) {
+        const Vec2 c = canvas.pixel_from_world(centre);
+        quads_.add({{c.x() - reach, c.y() + reach}, {c.x() + reach, c.y() + reach}, {c.x() + reach, c.y() - reach}, {c.x() - reach, c.y() - reach}},
+                   {-1, -1}, {1, 1}, extra);
+    };
+    for (const bool shadows : {true, false}) {
+        for (const BallMark& ball : balls) {
+            quads_.clear();
+            ball_shader_.set("ghost", ball.ghost);
+            const double r = ball.radius * canvas.pixels_per_metre;
+            // One pixel wider than the ball, so that its rim can fade; `at` then runs a little beyond 1.
+            if (shadows) add(ball.centre - 0.45 * ball.radius * world_light, 1.25 * r, 0);
+            else add(ball.centre, r, r);
+            quads_.draw();
+        }
+    }
+}
+
+}  // namespace pinfield

@@ -1,0 +1,68 @@
+// Draws a running table: the Program's own raster coloured by a shader, the movers at their places, the balls.
+#pragma once
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "editor/render/gl_objects.h"
+#include "engine/program/raster.h"
+
+namespace pinfield {
+
+/// What of a ball is drawn.
+struct BallMark {
+    Vec2 centre{0, 0};  ///< world
+    double radius = 0;  ///< metres
+    double ghost = 0;   ///< 0 there, 1 gone: balls out of play
+};
+
+/// Where a mover is.
+struct MoverPlace {
+    double q = 0;  ///< its degree of freedom
+    Similarity world_from_mover;
+};
+
+struct TableLook {
+    bool isolines = false;
+    double line_spacing = 0.01;        ///< of isolines, metres
+    std::vector<Rgb> materials;        ///< parallel to Program::materials
+    Rgb floor_low, floor_high, backdrop;
+};
+
+class TablePainter {
+public:
+    explicit TablePainter(const Gl& gl);
+
+    /// `places`: parallel to Program::movers. Rasters again only what changed since the last call.
+    void draw(const ProgramPtr& program, std::span<const MoverPlace> places, std::span<const BallMark> balls,
+              const TableLook& look, const Canvas& canvas);
+
+private:
+    struct MoverPicture {
+        std::unique_ptr<FieldTexture> texture;
+        Box2 window;  ///< in the mover's frame
+    };
+
+    void refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines, const Canvas& canvas);
+    void refresh_movers(const ProgramPtr& program, double pixels_per_metre);
+    void draw_table(const Program& program, const TableLook& look, const Canvas& canvas);
+    void draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas);
+    void draw_balls(std::span<const BallMark> balls, const Canvas& canvas);
+    void prepare(const TableLook& look, const Canvas& canvas, const FieldTexture& texture, double metres_per_texel,
+                 const Vec2& light) const;
+
+    const Gl& gl_;
+    ShaderProgram field_shader_, ball_shader_;
+    QuadBuffer quads_;
+    FieldTexture table_;
+    Raster raster_;
+    std::vector<MoverPicture> movers_;
+    // What the textures hold, to know when to raster again.
+    ProgramPtr table_program_, movers_program_;
+    Canvas table_canvas_;
+    std::vector<double> table_places_;  ///< of the movers laid over the table; empty when drawn apart
+    double movers_scale_ = 0;
+};
+
+}  // namespace pinfield
