@@ -3,6 +3,7 @@
 #include "engine/reflect/erase.h"
 #include "engine/scene/node_common.h"
 #include "engine/scene/records.h"
+#include "engine/sdf/catalog.h"
 #include "engine/sdf/make_kernels.h"
 #include "engine/sdf/register.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/reflect/describe.h"
 #include "engine/scene/part_traits.h"
-#include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/forward.h"
 
 namespace pinfield::parts {
 
@@ -12,7 +12,8 @@ struct Bumper {
     double threshold = 0.05;
 
     static constexpr Role role = Role::solid;
-    sdf::Circle<double> customary_shape() const { return {radius}; }
+    template <template <class> class Shape = sdf::Circle>
+    Shape<double> customary_shape() const { return {radius}; }
 
     static constexpr auto describe() {
         return part<Bumper>(

@@ -1,7 +1,7 @@
 #pragma once
 #include "engine/reflect/describe.h"
 #include "engine/scene/part_traits.h"
-#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/forward.h"
 
 namespace pinfield::parts {
 
@@ -10,7 +10,8 @@ struct Drain {
     Point<double> size{0.1, 0.02};
 
     static constexpr Role role = Role::sensor;
-    sdf::Box<double> customary_shape() const { return {size, 0.0}; }
+    template <template <class> class Shape = sdf::Box>
+    Shape<double> customary_shape() const { return {size, 0.0}; }
 
     static constexpr auto describe() {
         return part<Drain>({.key = "drain", .children = {0, any_number}, .doc = "Takes a ball out of play when its centre enters."},

@@ -4,7 +4,7 @@
 
 #include "engine/reflect/describe.h"
 #include "engine/scene/part_traits.h"
-#include "engine/sdf/nodes/uneven_capsule.h"
+#include "engine/sdf/forward.h"
 
 namespace pinfield::parts {
 
@@ -26,7 +26,8 @@ struct Flipper {
     std::vector<std::string> input;
 
     static constexpr Role role = Role::mover;
-    sdf::UnevenCapsule<double> customary_shape() const { return {length, radius_pivot, radius_tip}; }
+    template <template <class> class Shape = sdf::UnevenCapsule>
+    Shape<double> customary_shape() const { return {length, radius_pivot, radius_tip}; }
 
     static constexpr auto describe() {
         using F = Flipper;

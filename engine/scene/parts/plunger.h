@@ -4,7 +4,7 @@
 
 #include "engine/reflect/describe.h"
 #include "engine/scene/part_traits.h"
-#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/forward.h"
 
 namespace pinfield::parts {
 
@@ -17,7 +17,8 @@ struct Plunger {
     std::vector<std::string> input;
 
     static constexpr Role role = Role::mover;
-    sdf::Box<double> customary_shape() const { return {size, 0.0}; }
+    template <template <class> class Shape = sdf::Box>
+    Shape<double> customary_shape() const { return {size, 0.0}; }
     Similarity part_from_shape() const { return Similarity::translation({0, -0.5 * size.y}); }
 
     static constexpr auto describe() {
