@@ -11,7 +11,20 @@ namespace {
 
 bool is_id_field(const FieldType& field) { return field.common && field.kind == FieldKind::id && field.key == "id"; }
 
+/// A contract may read what derive() fills in, so the block has room for it.
+std::optional<std::string_view> contract_broken_by(const Node& node, int field, const Value& value) {
+    const NodeType& type = *node.type;
+    std::vector<Value> own;
+    for (int i = 0; i < type.own_fields; ++i) own.push_back(i == field ? value : node.fields[static_cast<std::size_t>(i)].value);
+    const std::vector<double> params = pack(type, own, type.kernels ? type.kernels->derived_count : 0);
+    return broken_contract(type, params.data());
+}
+
 }  // namespace
+
+std::optional<std::string_view> broken_contract(const Node& node) {
+    return contract_broken_by(node, -1, {});
+}
 
 std::optional<std::string> refuse(const Scene& scene, const Edit& edit) {
     const Node* node = scene.find(edit.node);
@@ -24,11 +37,7 @@ std::optional<std::string> refuse(const Scene& scene, const Edit& edit) {
         const Node* holder = id.empty() ? nullptr : scene.find(id);
         if (holder && holder->id != edit.node) return fmt::format("the id {} is taken", id);
     }
-    std::vector<Value> own;
-    for (int i = 0; i < node->type->own_fields; ++i)
-        own.push_back(i == edit.field ? edit.value : node->fields[static_cast<std::size_t>(i)].value);
-    const std::vector<double> params = pack(*node->type, own);
-    if (const auto sentence = broken_contract(*node->type, params.data()))
+    if (const auto sentence = contract_broken_by(*node, edit.field, edit.value))
         return fmt::format("{} must hold", *sentence);
     return {};
 }

@@ -16,6 +16,9 @@ struct Edit {
     bool given = true;
 };
 
+/// Sentence of the first contract that the node's values break, or nothing. Ranges are checked by refuse().
+std::optional<std::string_view> broken_contract(const Node& node);
+
 /// Why an edit cannot be applied (range, kind, contract, an id that is taken), or nothing.
 std::optional<std::string> refuse(const Scene& scene, const Edit& edit);
 

@@ -1,0 +1,28 @@
+// Whole files in and out, so that no crash and no other program ever costs an author his table.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "engine/core/result.h"
+
+namespace pinfield {
+
+/// Whole content of a file. Fails when it is no ordinary file, cannot be read, or is larger than `most` bytes.
+Result<std::string> read_file(const std::string& path, std::size_t most = 64 << 20);
+
+/// The first bytes of a file, and whether that is all of it.
+struct FileStart {
+    std::string content;
+    bool whole = true;
+};
+Result<FileStart> read_file_start(const std::string& path, std::size_t most);
+
+/// Replaces a file's content, or makes the file. Readers see the old content or the new, never half of it, whenever the machine stops.
+Result<bool> write_file(const std::string& path, const std::string& content);
+
+/// write_file() for a document: refuses when the disk no longer holds `expected` (nothing: the file must not exist yet), and
+/// keeps what was there as `path`.bak.
+Result<bool> save_file(const std::string& path, const std::string& content, const std::optional<std::string>& expected);
+
+}  // namespace pinfield

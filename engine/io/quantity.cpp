@@ -1,0 +1,249 @@
+#include "engine/io/quantity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+#include "engine/core/closest.h"
+#include "engine/core/numbers.h"
+#include "engine/reflect/node_type.h"
+
+namespace pinfield {
+namespace {
+
+constexpr double degrees_per_radian = 57.295779513082320876798;
+
+constexpr std::array suffixes{
+    UnitSuffix{"um", Unit::metre, -6, 1},
+    UnitSuffix{"mm", Unit::metre, -3, 1},
+    UnitSuffix{"cm", Unit::metre, -2, 1},
+    UnitSuffix{"m", Unit::metre, 0, 1},
+    UnitSuffix{"in", Unit::metre, 0, 0.0254},
+    UnitSuffix{"ft", Unit::metre, 0, 0.3048},
+    UnitSuffix{"deg", Unit::degree, 0, 1},
+    UnitSuffix{"rad", Unit::degree, 0, degrees_per_radian},
+    UnitSuffix{"us", Unit::second, -6, 1},
+    UnitSuffix{"ms", Unit::second, -3, 1},
+    UnitSuffix{"s", Unit::second, 0, 1},
+    UnitSuffix{"g", Unit::kilogram, -3, 1},
+    UnitSuffix{"kg", Unit::kilogram, 0, 1},
+    UnitSuffix{"mm/s", Unit::metre_per_second, -3, 1},
+    UnitSuffix{"cm/s", Unit::metre_per_second, -2, 1},
+    UnitSuffix{"m/s", Unit::metre_per_second, 0, 1},
+    UnitSuffix{"mm/s^2", Unit::metre_per_second2, -3, 1},
+    UnitSuffix{"m/s^2", Unit::metre_per_second2, 0, 1},
+    UnitSuffix{"deg/s", Unit::degree_per_second, 0, 1},
+    UnitSuffix{"rad/s", Unit::degree_per_second, 0, degrees_per_radian},
+    UnitSuffix{"deg/s^2", Unit::degree_per_second2, 0, 1},
+    UnitSuffix{"rad/s^2", Unit::degree_per_second2, 0, degrees_per_radian},
+    UnitSuffix{"s/m", Unit::seconds_per_metre, 0, 1},
+};
+
+std::string_view measured(Unit unit) {
+    switch (unit) {
+        case Unit::none: return "a plain number";
+        case Unit::metre: return "a length";
+        case Unit::degree: return "an angle";
+        case Unit::second: return "a time";
+        case Unit::kilogram: return "a mass";
+        case Unit::metre_per_second: return "a speed";
+        case Unit::metre_per_second2: return "an acceleration";
+        case Unit::degree_per_second: return "an angular speed";
+        case Unit::degree_per_second2: return "an angular acceleration";
+        case Unit::seconds_per_metre: return "an inverse speed";
+    }
+    return "a number";
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+/// The beginning of `text` that was meant as a number, mistakes included: sign, digits, points, `_`, `:`, an exponent.
+std::size_t number_length(std::string_view text) {
+    std::size_t i = 0;
+    if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
+    while (i < text.size() && (is_digit(text[i]) || text[i] == '.' || text[i] == '_' || text[i] == ':')) ++i;
+    if (i + 1 < text.size() && (text[i] == 'e' || text[i] == 'E')) {
+        std::size_t j = i + 1;
+        if (text[j] == '+' || text[j] == '-') ++j;
+        if (j < text.size() && is_digit(text[j])) {
+            while (j < text.size() && is_digit(text[j])) ++j;
+            i = j;
+        }
+    }
+    return i;
+}
+
+bool looks_numeric(std::string_view text) {
+    if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
+    if (!text.empty() && text[0] == '.') text.remove_prefix(1);
+    return !text.empty() && is_digit(text[0]);
+}
+
+bool looks_infinite(std::string_view text) {
+    std::string word;
+    for (const char c : text)
+        if (c != '.' && c != '+' && c != '-') word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return word == "nan" || word == "inf" || word == "infinity";
+}
+
+/// Anything that a number, a name or an operator may be part of; prose is not.
+bool looks_like_expression(std::string_view text) {
+    if (text.empty()) return false;
+    if (text.find_first_of("+-*/%^()<>=$") != std::string_view::npos) return true;
+    return is_letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '.'; });
+}
+
+QuantityError malformed(std::string_view text, std::string_view digits) {
+    const std::string_view unsigned_digits = digits.substr(digits.find_first_not_of("+-") == std::string_view::npos ? 0 : digits.find_first_not_of("+-"));
+    if (digits.find('_') != std::string_view::npos) return {Code::malformed_number, fmt::format("{} has a _ in a number", text), "write the digits without it"};
+    if (digits.find(':') != std::string_view::npos) return {Code::malformed_number, fmt::format("{} has a colon in a number", text), "a time is in seconds: 90s"};
+    if (unsigned_digits.size() > 1 && unsigned_digits[0] == '0' && is_digit(unsigned_digits[1]))
+        return {Code::malformed_number, fmt::format("{} has a leading zero", text), "some programs would read it as octal: leave the zero away"};
+    return {Code::malformed_number, fmt::format("{} is not a number a computer can hold", text), ""};
+}
+
+/// The digits with a power of ten appended: the point is moved, nothing is multiplied.
+std::optional<double> shifted(std::string_view digits, int power) {
+    const std::size_t e = digits.find_first_of("eE");
+    int exponent = 0;
+    std::string_view mantissa = digits;
+    if (e != std::string_view::npos) {
+        mantissa = digits.substr(0, e);
+        std::string_view written = digits.substr(e + 1);
+        if (written.starts_with('+')) written.remove_prefix(1);
+        if (std::from_chars(written.data(), written.data() + written.size(), exponent).ec != std::errc{} || std::abs(exponent) > 9999) return {};
+    }
+    return parse_number(fmt::format("{}e{}", mantissa, exponent + power));
+}
+
+QuantityError unit_error(std::string_view text, std::string_view word, Unit unit) {
+    const std::string allowed = suffixes_of(unit);
+    const std::string units = allowed.empty() ? "write it without a unit" : fmt::format("units here: {}", allowed);
+    for (const UnitSuffix& s : suffixes)
+        if (s.text == word)
+            return {Code::wrong_dimension, fmt::format("{} is {} where {} is due", text, measured(s.unit), measured(unit)), units};
+    std::vector<std::string_view> words;
+    for (const UnitSuffix& s : suffixes)
+        if (s.unit == unit) words.push_back(s.text);
+    const auto close = closest_match(word, words);
+    return {Code::unknown_unit, fmt::format("{} is no unit", word), close ? fmt::format("did you mean {}?", *close) : units};
+}
+
+}  // namespace
+
+std::span<const UnitSuffix> unit_suffixes() { return suffixes; }
+
+std::string suffixes_of(Unit unit) {
+    std::string out;
+    for (const UnitSuffix& s : suffixes)
+        if (s.unit == unit) out += (out.empty() ? "" : ", ") + std::string(s.text);
+    return out;
+}
+
+QuantityResult read_quantity(std::string_view text, Unit unit) {
+    if (looks_infinite(text)) return QuantityError{Code::not_finite, fmt::format("{} is no finite number", text), ""};
+    if (!looks_numeric(text)) {
+        if (text != "true" && text != "false" && looks_like_expression(text))
+            return QuantityError{Code::expression_unsupported, fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+        return QuantityError{Code::wrong_type, "a number is due here", ""};
+    }
+    const std::string_view digits = text.substr(0, number_length(text));
+    std::string_view word = text.substr(digits.size());
+    const std::string_view trimmed = word.substr(std::min(word.find_first_not_of(' '), word.size()));
+    const auto same = [&](const UnitSuffix& s) { return s.text == trimmed && s.unit == unit; };
+    const auto suffix = std::find_if(suffixes.begin(), suffixes.end(), same);
+    if (digits.size() == 1 && digits[0] == '0' && !word.empty() && (word[0] == 'x' || word[0] == 'o'))
+        return QuantityError{Code::malformed_number, fmt::format("{} is not a decimal number", text), "write it in decimal digits"};
+    if (!word.empty() && suffix == suffixes.end() && word.find_first_of("+-*%()<>= ") != std::string_view::npos && word != trimmed)
+        return QuantityError{Code::expression_unsupported, fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+    if (!trimmed.empty() && suffix == suffixes.end()) {
+        const bool unit_like = std::all_of(word.begin(), word.end(), [](char c) { return is_letter(c) || c == '/' || c == '^' || is_digit(c); }) && is_letter(word[0]);
+        if (!unit_like && parse_number(digits))
+            return QuantityError{Code::expression_unsupported, fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+        if (!parse_number(digits)) return malformed(text, digits);
+        return unit_error(text, trimmed, unit);
+    }
+    if (word != trimmed)
+        return QuantityError{Code::malformed_number, fmt::format("{} has a blank before its unit", text), fmt::format("write {}{}", digits, trimmed)};
+    if (!parse_number(digits)) return malformed(text, digits);
+    if (trimmed.empty()) return Quantity{*parse_number(digits), digits, nullptr};
+    const std::optional<double> value = shifted(digits, suffix->power_of_ten);
+    if (!value || !std::isfinite(*value * suffix->factor)) return malformed(text, digits);
+    return Quantity{*value * suffix->factor, digits, &*suffix};
+}
+
+namespace {
+
+/// Shortest digits of value * 10^-power: those of the value, with the point moved.
+std::string shifted_text(double value, int power) {
+    if (power == 0 || value == 0) return to_text(value);
+    char buffer[64];
+    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
+    const std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
+    const std::size_t e = text.find('e');
+    std::string_view written = text.substr(e + 1);
+    if (written.starts_with('+')) written.remove_prefix(1);
+    int exponent = 0;
+    std::from_chars(written.data(), written.data() + written.size(), exponent);
+    exponent -= power;
+    std::string sign = text[0] == '-' ? "-" : "", digits;
+    for (const char c : text.substr(0, e))
+        if (is_digit(c)) digits += c;
+    if (exponent < -8 || exponent > 15) return fmt::format("{}{}{}{}e{}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), exponent);
+    if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
+    const auto whole = static_cast<std::size_t>(exponent) + 1;
+    if (digits.size() <= whole) return sign + digits + std::string(whole - digits.size(), '0');
+    return sign + digits.substr(0, whole) + "." + digits.substr(whole);
+}
+
+std::size_t decimals_of(std::string_view digits) {
+    const std::size_t point = digits.find('.');
+    return point == std::string_view::npos || digits.find_first_of("eE") != std::string_view::npos ? 0 : digits.size() - point - 1;
+}
+
+void pad_decimals(std::string& digits, std::size_t decimals) {
+    if (decimals == 0 || digits.find('e') != std::string::npos) return;
+    std::size_t have = decimals_of(digits);
+    if (have == 0 && digits.find('.') == std::string::npos) digits += '.';
+    for (; have < decimals; ++have) digits += '0';
+}
+
+/// Digits d with d * factor == value, searched among the neighbours of the quotient.
+std::optional<std::string> divided_text(double value, double factor) {
+    const double quotient = value / factor;
+    double below = quotient, above = quotient;
+    // Prefer few digits: 12 significant ones first, which is what a person would have written.
+    if (const auto rounded = parse_number(fmt::format("{:.12g}", quotient)); rounded && *rounded * factor == value) return to_text(*rounded);
+    for (int i = 0; i < 4; ++i) {
+        if (below * factor == value) return to_text(below);
+        if (above * factor == value) return to_text(above);
+        below = std::nextafter(below, -HUGE_VAL);
+        above = std::nextafter(above, HUGE_VAL);
+    }
+    return {};
+}
+
+}  // namespace
+
+std::string write_quantity(double value, Unit unit, std::string_view like) {
+    const QuantityResult old = like.empty() ? QuantityResult(QuantityError{}) : read_quantity(like, unit);
+    if (!old) return to_text(value);
+    const UnitSuffix* suffix = old->suffix;
+    std::string digits;
+    if (suffix && suffix->factor != 1) {
+        const auto text = divided_text(value, suffix->factor);
+        if (!text) return to_text(value);
+        digits = *text;
+    } else {
+        digits = shifted_text(value, suffix ? suffix->power_of_ten : 0);
+    }
+    pad_decimals(digits, decimals_of(old->digits));
+    return digits + std::string(suffix ? suffix->text : "");
+}
+
+}  // namespace pinfield

@@ -1,0 +1,60 @@
+// Numbers with units as people write them, and back: "24mm" is 0.024 m, and stays in millimetres when it is edited.
+#pragma once
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/core/error_codes.h"
+#include "engine/reflect/describe.h"
+
+namespace pinfield {
+
+/// One spelling of a unit. A factor that is a power of ten shifts the decimal point, so that nothing is rounded twice.
+struct UnitSuffix {
+    std::string_view text;
+    Unit unit;
+    int power_of_ten;
+    double factor;  ///< in units of the field (m, deg, s ...); 1 where power_of_ten says it all
+};
+
+std::span<const UnitSuffix> unit_suffixes();
+/// "um, mm, cm, m, in, ft"; empty for a plain number.
+std::string suffixes_of(Unit unit);
+
+/// A number as read: its value in the field's unit and how it was written.
+struct Quantity {
+    double value = 0;
+    std::string_view digits;             ///< "24" of "24mm"
+    const UnitSuffix* suffix = nullptr;  ///< null for a bare number
+};
+
+struct QuantityError {
+    Code code = Code::wrong_type;
+    std::string message;
+    std::string hint;
+};
+
+/// Reads a number for a field of this unit, or says in words what is wrong with it.
+class QuantityResult {
+public:
+    QuantityResult(Quantity q) : quantity_(q), ok_(true) {}                // NOLINT(google-explicit-constructor)
+    QuantityResult(QuantityError e) : error_(std::move(e)), ok_(false) {}  // NOLINT(google-explicit-constructor)
+    explicit operator bool() const { return ok_; }
+    const Quantity& operator*() const { return quantity_; }
+    const Quantity* operator->() const { return &quantity_; }
+    const QuantityError& error() const { return error_; }
+
+private:
+    Quantity quantity_;
+    QuantityError error_;
+    bool ok_;
+};
+
+QuantityResult read_quantity(std::string_view text, Unit unit);
+
+/// A value in the style of `like`: its unit, at least its decimals, and digits that read back as exactly the same double
+/// (in the bare unit where its own cannot say it).
+std::string write_quantity(double value, Unit unit, std::string_view like = {});
+
+}  // namespace pinfield

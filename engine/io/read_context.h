@@ -1,0 +1,40 @@
+// What every part of the reader is handed: the text, the catalogue, the limits, and the list that findings go to.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/error_codes.h"
+#include "engine/io/limits.h"
+#include "engine/io/yaml_tree.h"
+#include "engine/reflect/catalogue.h"
+
+namespace pinfield {
+
+struct ReadContext {
+    const SourceText& source;
+    const Catalogue& catalogue;
+    const Limits& limits;
+    Diagnostics& diagnostics;
+    std::size_t nodes = 0;  ///< scene nodes read so far
+
+    void report(Code code, Span where, std::string message, std::string hint = {}) {
+        if (diagnostics.size() < limits.errors) diagnostics.push_back(diagnose(code, where, std::move(message), std::move(hint)));
+        else if (diagnostics.size() == limits.errors) diagnostics.push_back(diagnose(Code::too_many_errors, where, "more errors follow; mend these first"));
+    }
+    std::size_t errors_so_far() const { return diagnostics.size(); }
+};
+
+/// "did you mean radius?", or "one of: a, b, c" when there are few and none is close, or nothing.
+std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// [a-z_][a-z0-9_]*
+bool is_name(std::string_view text);
+
+/// Reports a key whose value is missing, with the reason where a comment swallowed it.
+void report_missing_value(ReadContext& context, const YamlNode& key, const YamlNode& value);
+
+/// True (and reported) when a value holds an opening bracket that its comma-separated neighbour closes.
+bool report_comma_split(ReadContext& context, const YamlNode& value);
+
+}  // namespace pinfield

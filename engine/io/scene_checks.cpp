@@ -1,0 +1,79 @@
+// What only the whole scene can tell.
+#include <fmt/format.h>
+
+#include <map>
+#include <set>
+
+#include "engine/io/node_reader.h"
+#include "engine/scene/part_traits.h"
+
+namespace pinfield {
+namespace {
+
+void check_ids(ReadContext& context, const Scene& scene) {
+    std::map<std::string_view, Span> taken;  // one namespace for nodes and inputs
+    for (const InputBinding& input : scene.inputs) taken.emplace(input.name, input.where);
+    for (const NodeId id : scene.all()) {
+        const Node& node = *scene.find(id);
+        if (node.type->meta.kind == NodeKind::record || node.name.empty()) continue;
+        const auto [first, is_new] = taken.emplace(node.name, node.key);
+        if (is_new) continue;
+        const auto field = node.type->find_field("id");
+        context.report(Code::duplicate_id, node.fields[static_cast<std::size_t>(*field)].where, fmt::format("the id {} is taken", node.name),
+                       fmt::format("line {} has it", context.source.place(first->second.begin).line));
+    }
+}
+
+/// Materials are the only things that a field of kind `id`, other than the node's own id, refers to.
+void check_material(ReadContext& context, const std::set<std::string_view>& materials, const FieldSlot& slot) {
+    const auto& name = std::get<std::string>(slot.value);
+    if (name.empty() || name == "default" || materials.count(name)) return;
+    context.report(Code::unknown_material, slot.where, fmt::format("no material is called {}", name), suggestion(name, {materials.begin(), materials.end()}));
+}
+
+void check_inputs(ReadContext& context, const std::set<std::string_view>& inputs, const FieldSlot& slot) {
+    for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
+        if (!inputs.count(name))
+            context.report(Code::unknown_input, slot.where, fmt::format("no input is called {}", name), suggestion(name, {inputs.begin(), inputs.end()}));
+}
+
+void check_references(ReadContext& context, const Scene& scene) {
+    std::set<std::string_view> materials, inputs;
+    for (const NodeId id : scene.materials()) materials.insert(scene.find(id)->name);
+    for (const InputBinding& input : scene.inputs) inputs.insert(input.name);
+    for (const NodeId id : scene.all()) {
+        const Node& node = *scene.find(id);
+        for (std::size_t i = 0; i < node.fields.size(); ++i) {
+            const FieldType& field = node.type->fields[i];
+            if (!node.fields[i].given) continue;
+            if (field.kind == FieldKind::id && field.key != "id") check_material(context, materials, node.fields[i]);
+            if (field.kind == FieldKind::names && field.meta.meaning == Meaning::input) check_inputs(context, inputs, node.fields[i]);
+        }
+    }
+}
+
+void check_domains(ReadContext& context, const Scene& scene) {
+    std::map<std::string, Span> domain_of;
+    for (const NodeId id : scene.all()) {
+        const Node& node = *scene.find(id);
+        if (!node.type->part || node.type->part->role != Role::boundary) continue;
+        auto layers = node.get<std::vector<std::string>>("layer");
+        if (layers.empty()) layers.emplace_back();
+        for (const std::string& layer : layers) {
+            const auto [first, is_new] = domain_of.emplace(layer, node.key);
+            if (!is_new)
+                context.report(Code::second_domain, node.key, fmt::format("a second {} on {}", node.type->key(), layer.empty() ? "the ground layer" : "layer " + layer),
+                               fmt::format("the first is in line {}; one holds several shapes as children", context.source.place(first->second.begin).line));
+        }
+    }
+}
+
+}  // namespace
+
+void check_scene(ReadContext& context, const Scene& scene) {
+    check_ids(context, scene);
+    check_references(context, scene);
+    check_domains(context, scene);
+}
+
+}  // namespace pinfield

@@ -1,0 +1,212 @@
+#include "engine/io/value_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/closest.h"
+#include "engine/core/color.h"
+#include "engine/io/quantity.h"
+#include "engine/io/yaml_text.h"
+
+namespace pinfield {
+namespace {
+
+/// Text up to a length that a message can bear.
+std::string shortened(std::string_view text) {
+    return text.size() <= 40 ? std::string(text) : std::string(text.substr(0, 37)) + "...";
+}
+
+void report_shape(ReadContext& context, const YamlNode& node, std::string_view wanted) {
+    if (node.kind == YamlKind::map && (node.find("spin") || node.find("wave") || node.find("keys")))
+        return context.report(Code::motion_unsupported, node.span, "motions are not supported yet", "write a number");
+    const char* found = node.kind == YamlKind::map ? "a map" : node.kind == YamlKind::sequence ? "a list" : "a single value";
+    context.report(Code::wrong_shape, node.span, fmt::format("{} is due here, not {}", wanted, found));
+}
+
+/// A word that stands for a parameter where a text is due.
+bool is_dollar_name(std::string_view text) { return text.size() > 1 && text[0] == '$' && is_name(text.substr(1)); }
+
+std::optional<double> read_number(ReadContext& context, const FieldMeta& meta, const YamlNode& node) {
+    if (node.kind != YamlKind::scalar) return report_shape(context, node, "a number"), std::nullopt;
+    const QuantityResult read = read_quantity(node.text, meta.unit);
+    if (!read) {
+        if (read.error().code == Code::expression_unsupported && report_comma_split(context, node)) return {};
+        const bool wrong_type = read.error().code == Code::wrong_type;
+        context.report(read.error().code, node.span,
+                       wrong_type ? fmt::format("a number is due here, not {}", shortened(node.text)) : shortened(read.error().message), read.error().hint);
+        return {};
+    }
+    FieldType plain{"", FieldKind::number, meta, {}, {}, false};
+    if (const auto why = refuse(plain, Value(read->value))) {
+        context.report(Code::out_of_range, node.span, fmt::format("{} {}", shortened(node.text), *why));
+        return {};
+    }
+    return read->value;
+}
+
+std::optional<Value> read_integer(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    FieldMeta unbounded;
+    const auto number = read_number(context, unbounded, node);
+    if (!number) return {};
+    if (*number != std::floor(*number)) {
+        context.report(Code::wrong_type, node.span, fmt::format("{} must be a whole number", field.key));
+        return {};
+    }
+    if (std::fabs(*number) > 2147483647.0) {
+        context.report(Code::out_of_range, node.span, fmt::format("{} is too large", shortened(node.text)));
+        return {};
+    }
+    const Value value = static_cast<std::int64_t>(*number);
+    if (const auto why = refuse(field, value)) {
+        context.report(Code::out_of_range, node.span, fmt::format("{} {}", field.key, *why));
+        return {};
+    }
+    return value;
+}
+
+std::optional<Vec2> read_vec2(ReadContext& context, const FieldMeta& meta, const YamlNode& node) {
+    if (node.kind != YamlKind::sequence) return report_shape(context, node, "a pair [x, y]"), std::nullopt;
+    if (node.items.size() != 2) {
+        for (const YamlNode* item : node.items)
+            if (report_comma_split(context, item->resolved())) return {};
+        context.report(Code::wrong_shape, node.span, fmt::format("a pair [x, y] is due here, not {} values", node.items.size()));
+        return {};
+    }
+    const auto x = read_number(context, meta, node.items[0]->resolved());
+    const auto y = read_number(context, meta, node.items[1]->resolved());
+    if (!x || !y) return {};
+    return Vec2(*x, *y);
+}
+
+std::optional<Value> read_points(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    if (node.kind != YamlKind::sequence) return report_shape(context, node, "a list of pairs [[x, y], ...]"), std::nullopt;
+    if (node.items.size() > context.limits.points) {
+        context.report(Code::too_many_points, node.span, fmt::format("{} points; at most {} are read", node.items.size(), context.limits.points));
+        return {};
+    }
+    std::vector<Vec2> points;
+    bool good = true;
+    for (const YamlNode* item : node.items) {
+        const auto point = read_vec2(context, field.meta, item->resolved());
+        if (point) points.push_back(*point);
+        else good = false;
+    }
+    if (!good) return {};
+    return points;
+}
+
+std::optional<Value> read_boolean(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    if (node.kind == YamlKind::scalar && (node.text == "true" || node.text == "false")) return node.text == "true";
+    context.report(Code::wrong_type, node.span, fmt::format("{} must be true or false", field.key));
+    return {};
+}
+
+bool report_dollar(ReadContext& context, const YamlNode& node) {
+    if (!is_dollar_name(node.text)) return false;
+    context.report(Code::expression_unsupported, node.span, fmt::format("{} stands for a parameter, and those are not supported yet", node.text));
+    return true;
+}
+
+std::optional<std::string> read_name(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    if (node.kind != YamlKind::scalar) return report_shape(context, node, "a name"), std::nullopt;
+    if (report_dollar(context, node)) return {};
+    if (!is_name(node.text)) {
+        context.report(Code::bad_name, node.span, fmt::format("{} is no name for {}", node.text.empty() ? "an empty text" : shortened(node.text), field.key),
+                       "small letters, digits and _, not beginning with a digit");
+        return {};
+    }
+    return std::string(node.text);
+}
+
+std::optional<Value> read_names(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    std::vector<std::string> names;
+    bool good = true;
+    const auto take = [&](const YamlNode& item) {
+        const auto name = read_name(context, field, item);
+        if (name) names.push_back(*name);
+        else good = false;
+    };
+    if (node.kind == YamlKind::sequence) std::for_each(node.items.begin(), node.items.end(), [&](const YamlNode* item) { take(item->resolved()); });
+    else take(node);
+    if (!good) return {};
+    return names;
+}
+
+std::optional<Value> read_color(ReadContext& context, const YamlNode& node) {
+    if (parse_color(node.text)) return std::string(node.text);
+    const bool hex = (node.text.size() == 3 || node.text.size() == 6) && node.text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+    std::string hint = "a CSS name, or a quoted \"#rgb\" or \"#rrggbb\"";
+    if (hex) hint = fmt::format("write \"#{}\", with the quotes", node.text);
+    else if (const auto close = closest_match(node.text, color_names())) hint = fmt::format("did you mean {}?", *close);
+    context.report(Code::unknown_color, node.span, fmt::format("{} is no colour", shortened(node.text)), hint);
+    return {};
+}
+
+std::optional<Value> read_word(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    if (node.kind != YamlKind::scalar) return report_shape(context, node, fmt::format("a {}", name(field.kind))), std::nullopt;
+    if (report_dollar(context, node)) return {};
+    if (field.kind == FieldKind::color) return read_color(context, node);
+    Value value = std::string(node.text);
+    if (const auto why = refuse(field, value)) {
+        context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why), suggestion(node.text, field.choices));
+        return {};
+    }
+    return value;
+}
+
+}  // namespace
+
+std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates) {
+    if (const auto close = closest_match(word, candidates)) return fmt::format("did you mean {}?", *close);
+    if (candidates.empty() || candidates.size() > 12) return {};
+    return fmt::format("one of: {}", fmt::join(candidates, ", "));
+}
+
+bool is_name(std::string_view text) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+    return !text.empty() && letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
+void report_missing_value(ReadContext& context, const YamlNode& key, const YamlNode& value) {
+    const std::string_view text = context.source.text();
+    if (const auto color = color_in_comment(text, value.span.begin, line_end(text, value.span.begin)))
+        return context.report(Code::comment_ate_value, {*color, *color + 1}, fmt::format("this # begins a comment, so {} has no value", key.text),
+                              "quote the colour: \"#7c5\"");
+    context.report(Code::missing_value, key.span, fmt::format("{} has no value", shortened(key.text)));
+}
+
+bool report_comma_split(ReadContext& context, const YamlNode& value) {
+    if (value.kind != YamlKind::scalar || value.style != YamlStyle::plain) return false;
+    if (std::count(value.text.begin(), value.text.end(), '(') <= std::count(value.text.begin(), value.text.end(), ')')) return false;
+    context.report(Code::comma_split, value.span, "a comma split this expression", "quote it");
+    return true;
+}
+
+std::optional<Value> read_value(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    switch (field.kind) {
+        case FieldKind::boolean: return read_boolean(context, field, node);
+        case FieldKind::integer: return read_integer(context, field, node);
+        case FieldKind::number: {
+            const auto number = read_number(context, field.meta, node);
+            return number ? std::optional<Value>(*number) : std::nullopt;
+        }
+        case FieldKind::vec2: {
+            const auto pair = read_vec2(context, field.meta, node);
+            return pair ? std::optional<Value>(*pair) : std::nullopt;
+        }
+        case FieldKind::points: return read_points(context, field, node);
+        case FieldKind::id: {
+            const auto id = read_name(context, field, node);
+            return id ? std::optional<Value>(*id) : std::nullopt;
+        }
+        case FieldKind::names: return read_names(context, field, node);
+        case FieldKind::text:
+        case FieldKind::choice:
+        case FieldKind::color: return read_word(context, field, node);
+    }
+    return {};
+}
+
+}  // namespace pinfield
