@@ -19,7 +19,6 @@ struct Prompt {
     std::string path{};       ///< the file that then_action opens; empty: it asks
 };
 
-/// A path is being asked for: answered by dialog.accept (with dialog_path filled in) or dialog.cancel.
 struct AppState {
     AppState(std::shared_ptr<const Catalogue> catalogue, Document document);
 
@@ -31,8 +30,8 @@ struct AppState {
     std::optional<Prompt> prompt;
     std::string message;        ///< status line; what the last action said
     bool message_is_problem = false;
-    std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for
-    std::string dialog_path;
+    std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for, until dialog.accept or
+    std::string dialog_path;    ///< dialog.cancel; what the user typed so far
     std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
     bool quit = false;
@@ -58,5 +57,8 @@ bool press_key(AppState& state, std::string_view key, bool down);
 /// overlap; none in free space. Sensors answer within their region, and every part with no solid within 12 mm of its place.
 /// Locked nodes do not count, nor does the domain.
 NodeId pick(const AppState& state, const Vec2& world, double slack);
+
+/// World box around a node and all below it as it runs now; at least its place, 12 mm about. May be infinite.
+Box2 bounds_of(const AppState& state, NodeId node);
 
 }  // namespace pinfield::editor

@@ -85,8 +85,8 @@ private:
     void take_text(std::shared_ptr<const SourceText> source, const Scene* ids_from);
     void replay(const std::vector<Edit>& edits, std::shared_ptr<const SourceText> source, const Scene* replaced_by);
     void follow_disk(std::shared_ptr<const SourceText> source);
+    std::optional<std::string> write(const Edit& edit, Scene& scene, Step& step) const;
     void push(Step step);
-    std::vector<Edit>::iterator previewed(const Edit& edit);
 
     std::shared_ptr<const Catalogue> catalogue_;
     std::shared_ptr<const SourceText> source_;
@@ -98,7 +98,8 @@ private:
     std::string disk_text_;
     std::vector<Step> history_;
     std::size_t position_ = 0;
-    std::vector<Edit> preview_, preview_inverse_;
+    std::vector<Edit> preview_;
+    std::shared_ptr<Scene> before_preview_;
     std::vector<SceneChange> changes_;
 };
 

@@ -1,0 +1,56 @@
+#include "editor/actions.h"
+
+#include <algorithm>
+
+namespace pinfield::editor {
+
+const std::vector<Action>& all_actions() {
+    static const std::vector<Action> actions{
+        {"file.new", "New", "File", "Ctrl+N", "A new table from the starter text."},
+        {"file.open", "Open...", "File", "Ctrl+O", "Open another table."},
+        {"file.save", "Save", "File", "Ctrl+S", "Write what changed into the file, and nothing else."},
+        {"file.save_as", "Save As...", "File", "Ctrl+Shift+S", "Write the table to another file and go on there."},
+        {"file.reload", "Reload", "File", "", "Take what is on disk in place of what is edited; undo brings it back."},
+        {"app.quit", "Quit", "File", "Ctrl+Q", "Leave, asking about unsaved work first."},
+
+        {"edit.undo", "Undo", "Edit", "Ctrl+Z", "Take the last change back; during a drag, the drag."},
+        {"edit.redo", "Redo", "Edit", "Ctrl+Shift+Z", "Do again what was undone."},
+        {"edit.deselect", "Deselect", "Edit", "Esc", "Select nothing; during a drag, take it back."},
+
+        {"play.toggle", "Play or pause", "Play", "F5", "Let the table run, or hold it."},
+        {"play.pause", "Pause", "Play", "F6", "Hold the table."},
+        {"play.step", "One tick", "Play", ".", "Advance by a single tick and hold."},
+        {"play.reset", "Reset", "Play", "F7", "Balls to their starts, counters to zero."},
+        {"play.slower", "Slower", "Play", "[", "Halve the speed, down to a 64th."},
+        {"play.faster", "Faster", "Play", "]", "Double the speed, up to real time."},
+
+        {"view.shaded", "Shaded", "View", "1", "Draw the table."},
+        {"view.isolines", "Isolines", "View", "2", "Draw the signed distance field."},
+        {"view.frame", "Frame the selection", "View", "F", "Fit the selected node into the viewport; without one, the table."},
+        {"view.all", "Frame the table", "View", "Home", "Fit the whole table into the viewport."},
+        {"view.zoom_in", "Zoom in", "View", "=", "Closer, about the middle."},
+        {"view.zoom_out", "Zoom out", "View", "-", "Farther, about the middle."},
+
+        {"help.keys", "Keys", "Help", "F1", "Every action and its key."},
+
+        {"prompt.save", "Save", "", "", "Save, then go on with what was asked."},
+        {"prompt.discard", "Discard", "", "", "Go on without saving."},
+        {"prompt.cancel", "Cancel", "", "", "Stay."},
+        {"dialog.accept", "OK", "", "", "Take the path that was typed."},
+        {"dialog.cancel", "Cancel", "", "", "Name no path."},
+    };
+    return actions;
+}
+
+const Action* find_action(std::string_view name) {
+    const auto found = std::find_if(all_actions().begin(), all_actions().end(), [&](const Action& action) { return action.name == name; });
+    return found == all_actions().end() ? nullptr : &*found;
+}
+
+const Action* action_of(std::string_view shortcut) {
+    if (shortcut.empty()) return nullptr;
+    const auto found = std::find_if(all_actions().begin(), all_actions().end(), [&](const Action& action) { return action.shortcut == shortcut; });
+    return found == all_actions().end() ? nullptr : &*found;
+}
+
+}  // namespace pinfield::editor

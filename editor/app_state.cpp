@@ -1,0 +1,246 @@
+#include "editor/app_state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace pinfield::editor {
+namespace {
+
+void say(AppState& state, std::string message, bool problem = false) {
+    state.message = std::move(message);
+    state.message_is_problem = problem;
+}
+
+std::string name_of(const Document& document) {
+    if (document.path().empty()) return "the new table";
+    return document.path().substr(document.path().find_last_of('/') + 1);
+}
+
+void replace_document(AppState& state, Document document) {
+    Session session(document);
+    session.play(state.session.playing());
+    session.set_slow_motion(state.session.slow_motion());
+    document.take_changes();
+    state.document = std::move(document);
+    state.session = std::move(session);
+    state.selection = {};
+    state.disk = DiskState::same;
+    run(state, "view.all");
+}
+
+bool open_now(AppState& state, const std::string& path) {
+    Result<Document> document = Document::open(path, state.catalogue);
+    if (!document) return say(state, document.error().message, true), false;
+    replace_document(state, std::move(*document));
+    if (has_errors(state.document.diagnostics())) say(state, fmt::format("{} has problems", name_of(state.document)), true);
+    else say(state, fmt::format("Opened {}", name_of(state.document)));
+    return true;
+}
+
+void ask_path(AppState& state, std::string action) {
+    state.dialog_action = std::move(action);
+    state.dialog_path = state.document.path();
+}
+
+/// Goes on with what a prompt held up; unsaved work has been dealt with.
+void go_on(AppState& state, const Prompt& prompt) {
+    if (prompt.then_action == "app.quit") state.quit = true;
+    else if (prompt.then_action == "file.new") {
+        replace_document(state, Document::untitled(state.catalogue));
+        say(state, "A new table");
+    } else if (prompt.path.empty()) ask_path(state, "file.open");
+    else open_now(state, prompt.path);
+}
+
+/// Goes on at once, or asks first when unsaved work would be lost.
+void guard(AppState& state, std::string then_action, std::string path = {}) {
+    state.document.cancel_preview();
+    Prompt prompt{fmt::format("{} has unsaved changes.", name_of(state.document)), std::move(then_action), std::move(path)};
+    if (state.document.dirty()) state.prompt = std::move(prompt);
+    else go_on(state, prompt);
+}
+
+bool save_now(AppState& state) {
+    const Result<void> saved = state.document.save();
+    if (saved) say(state, fmt::format("Saved {}", name_of(state.document)));
+    else say(state, saved.error().message, true);
+    return saved.has_value();
+}
+
+void save(AppState& state) {
+    if (state.document.path().empty()) ask_path(state, "file.save_as");
+    else save_now(state);
+}
+
+void answer_save(AppState& state) {
+    const Prompt prompt = *std::exchange(state.prompt, std::nullopt);
+    if (state.document.path().empty()) {
+        ask_path(state, "file.save_as");
+        state.after_dialog = prompt;
+    } else if (save_now(state)) go_on(state, prompt);
+}
+
+void answer_discard(AppState& state) { go_on(state, *std::exchange(state.prompt, std::nullopt)); }
+
+void close_dialog(AppState& state) {
+    state.dialog_action.clear();
+    state.after_dialog.reset();
+}
+
+void accept_path(AppState& state) {
+    if (state.dialog_path.empty()) return say(state, "A path is due", true);
+    if (state.dialog_action == "file.open") {
+        if (open_now(state, state.dialog_path)) close_dialog(state);
+        return;
+    }
+    const Result<void> saved = state.document.save_as(state.dialog_path);
+    if (!saved) return say(state, saved.error().message, true);
+    say(state, fmt::format("Saved {}", name_of(state.document)));
+    const std::optional<Prompt> next = state.after_dialog;
+    close_dialog(state);
+    if (next) go_on(state, *next);
+}
+
+void reload(AppState& state) {
+    const Result<void> reloaded = state.document.reload();
+    if (!reloaded) return say(state, reloaded.error().message, true);
+    state.disk = DiskState::same;
+    say(state, fmt::format("Reloaded {}", name_of(state.document)));
+}
+
+void undo(AppState& state) {
+    say(state, state.document.previewing() ? "Taken back" : fmt::format("Undone: {}", *state.document.undo_label()));
+    state.document.undo();
+}
+
+void redo(AppState& state) {
+    say(state, fmt::format("Done again: {}", *state.document.redo_label()));
+    state.document.redo();
+}
+
+void deselect(AppState& state) {
+    if (state.document.previewing()) state.document.cancel_preview();
+    else if (state.show_help) state.show_help = false;
+    else state.selection = {};
+}
+
+void frame_selection(AppState& state) {
+    if (state.selection) state.view.frame(bounds_of(state, state.selection).grown(0.02));
+    else run(state, "view.all");
+}
+
+struct Handler {
+    std::string_view action;
+    bool (*enabled)(const AppState&);
+    void (*run)(AppState&);
+};
+
+bool always(const AppState&) { return true; }
+bool has_prompt(const AppState& s) { return s.prompt.has_value(); }
+bool has_dialog(const AppState& s) { return !s.dialog_action.empty(); }
+
+constexpr Handler handlers[] = {
+    {"file.new", always, [](AppState& s) { guard(s, "file.new"); }},
+    {"file.open", always, [](AppState& s) { guard(s, "file.open"); }},
+    {"file.save", [](const AppState& s) { return s.document.path().empty() || s.document.dirty(); }, save},
+    {"file.save_as", always, [](AppState& s) { ask_path(s, "file.save_as"); }},
+    {"file.reload", [](const AppState& s) { return !s.document.path().empty(); }, reload},
+    {"app.quit", always, [](AppState& s) { guard(s, "app.quit"); }},
+    {"edit.undo", [](const AppState& s) { return s.document.can_undo() || s.document.previewing(); }, undo},
+    {"edit.redo", [](const AppState& s) { return s.document.can_redo() && !s.document.previewing(); }, redo},
+    {"edit.deselect", always, deselect},
+    {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
+    {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},
+    {"play.step", always, [](AppState& s) { s.session.single_step(); }},
+    {"play.reset", always, [](AppState& s) { s.session.reset(); }},
+    {"play.slower", [](const AppState& s) { return s.session.slow_motion() < slowest; },
+     [](AppState& s) { s.session.set_slow_motion(2 * s.session.slow_motion()); }},
+    {"play.faster", [](const AppState& s) { return s.session.slow_motion() > 1; },
+     [](AppState& s) { s.session.set_slow_motion(s.session.slow_motion() / 2); }},
+    {"view.shaded", always, [](AppState& s) { s.view.style = ViewStyle::shaded; }},
+    {"view.isolines", always, [](AppState& s) { s.view.style = ViewStyle::isolines; }},
+    {"view.frame", always, frame_selection},
+    {"view.all", always, [](AppState& s) { s.view.frame({{0, 0}, s.session.program().size}); }},
+    {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
+    {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
+    {"help.keys", always, [](AppState& s) { s.show_help = !s.show_help; }},
+    {"prompt.save", has_prompt, answer_save},
+    {"prompt.discard", has_prompt, answer_discard},
+    {"prompt.cancel", has_prompt, [](AppState& s) { s.prompt.reset(); }},
+    {"dialog.accept", has_dialog, accept_path},
+    {"dialog.cancel", has_dialog, close_dialog},
+};
+
+const Handler& handler_of(std::string_view action) {
+    const auto found = std::find_if(std::begin(handlers), std::end(handlers), [&](const Handler& h) { return h.action == action; });
+    assert(found != std::end(handlers) && "every action of the table has a handler");
+    return *found;
+}
+
+/// While a question is open, only its answers count.
+bool blocked(const AppState& state, std::string_view action) {
+    if (state.prompt) return !action.starts_with("prompt.");
+    if (has_dialog(state)) return !action.starts_with("dialog.");
+    return false;
+}
+
+}  // namespace
+
+AppState::AppState(std::shared_ptr<const Catalogue> catalogue_, Document document_)
+    : catalogue(std::move(catalogue_)), document(std::move(document_)), session(document) {
+    document.take_changes();
+    run(*this, "view.all");
+}
+
+bool enabled(const AppState& state, std::string_view action) {
+    return !blocked(state, action) && handler_of(action).enabled(state);
+}
+
+void run(AppState& state, std::string_view action) {
+    if (enabled(state, action)) return handler_of(action).run(state);
+    say(state, fmt::format("{}: not now", find_action(action)->label), true);
+}
+
+void open_file(AppState& state, const std::string& path) {
+    if (!blocked(state, "file.open")) guard(state, "file.open", path);
+}
+
+bool edit(AppState& state, const Edit& change, const std::string& label) {
+    const std::optional<std::string> why = state.document.edit(change, label);
+    if (why) say(state, *why, true);
+    else say(state, label);
+    return !why;
+}
+
+void advance(AppState& state, int ticks) {
+    state.session.follow(state.document);
+    if (state.selection && !state.document.scene().find(state.selection)) state.selection = {};
+    state.session.advance(ticks);
+}
+
+void look_at_disk(AppState& state) {
+    const DiskState before = std::exchange(state.disk, state.document.check_disk());
+    if (state.disk == DiskState::reloaded) {
+        say(state, fmt::format("{} was changed outside and is shown anew", name_of(state.document)));
+        state.disk = DiskState::same;
+    } else if (state.disk == DiskState::broken && before != DiskState::broken) {
+        say(state, fmt::format("{} was changed outside and cannot be read; the last good table runs on", name_of(state.document)), true);
+    } else if (state.disk == DiskState::conflict && before != DiskState::conflict) {
+        say(state, fmt::format("{} was changed outside too: Reload takes that, Save As keeps yours", name_of(state.document)), true);
+    }
+}
+
+bool press_key(AppState& state, std::string_view key, bool down) {
+    bool bound = false;
+    for (const InputBinding& input : state.document.scene().inputs) {
+        if (std::find(input.keys.begin(), input.keys.end(), key) == input.keys.end()) continue;
+        state.session.press(input.name, down);
+        bound = true;
+    }
+    return bound;
+}
+
+}  // namespace pinfield::editor

@@ -1,0 +1,243 @@
+#include "editor/edit_tools.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/core/numbers.h"
+#include "engine/io/quantity.h"
+#include "engine/io/value_reader.h"
+
+namespace pinfield::editor {
+namespace {
+
+constexpr double finest_grid = 1e-5;  ///< metres, where no grid is wanted
+constexpr double pixels_per_integer = 8;
+
+/// The i-th of the numbers in a text such as "30mm" or "[0.26, 800mm]"; empty when there are not as many.
+std::string_view part_of(std::string_view text, int i) {
+    constexpr std::string_view between = "[], \t\r\n";
+    while (true) {
+        const std::size_t begin = text.find_first_not_of(between);
+        if (begin == std::string_view::npos) return {};
+        text.remove_prefix(begin);
+        const std::size_t end = std::min(text.find_first_of(between), text.size());
+        if (i-- == 0) return text.substr(0, end);
+        text.remove_prefix(end);
+    }
+}
+
+int decimals_of(double step) {
+    const std::string text = to_text(step);
+    const std::size_t point = text.find('.');
+    if (text.find('e') != std::string::npos) return 17;
+    return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
+}
+
+/// n steps, as the double that the shortest decimal text of it stands for: 0.3, not 0.30000000000000004.
+double multiple(double n, double step) {
+    const int decimals = decimals_of(step);
+    return decimals > 15 ? n * step : *parse_number(to_text(n * step, decimals));
+}
+
+double snapped(double x, double step) { return multiple(std::round(x / step), step); }
+
+int at_field(const Node& node) {
+    const std::optional<int> field = node.type->find_field("at");
+    return field ? *field : -1;
+}
+
+bool locked(const Scene& scene, const Node& node) {
+    return node.get<bool>("locked") || (node.parent && locked(scene, *scene.find(node.parent)));
+}
+
+/// The value nearest to `target` on the way from `from` (which is valid) that refuse() lets pass, in whole steps.
+double last_valid(const Scene& scene, Edit edit, int component_index, double from, double target, double step) {
+    const auto valid = [&](double x) {
+        edit.value = with_component(edit.value, component_index, x);
+        return !refuse(scene, edit);
+    };
+    if (valid(target)) return target;
+    const double sign = target < from ? -1 : 1;
+    const auto on_the_way = [&](double n) { return snapped(from + sign * n * step, step); };
+    double good = 0, bad = std::ceil(std::fabs(target - from) / step);
+    while (bad - good > 1) {
+        const double middle = std::floor(0.5 * (good + bad));
+        (valid(on_the_way(middle)) ? good : bad) = middle;
+    }
+    return good == 0 ? from : on_the_way(good);
+}
+
+}  // namespace
+
+Edit moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2& world_delta, double grid) {
+    const Node& node = *scene.find(id);
+    const Similarity parent_from_world = node.parent ? world_from_local(scene, node.parent).inverse() : Similarity{};
+    const Vec2 delta = parent_from_world.scale * parent_from_world.direction(world_delta);
+    const double step = grid > 0 ? grid : finest_grid;
+    Vec2 at = at_before;
+    for (int axis = 0; axis < 2; ++axis)
+        if (std::fabs(delta[axis]) >= 0.5 * step) at[axis] = snapped(at_before[axis] + delta[axis], step);
+    return {id, at_field(node), at, true};
+}
+
+bool NodeDrag::begin(const Document& document, NodeId id, const Vec2& world) {
+    const Node* node = document.scene().find(id);
+    if (active() || !node || at_field(*node) < 0 || locked(document.scene(), *node)) return false;
+    node_ = id;
+    at_before_ = node->get<Vec2>("at");
+    world_before_ = world;
+    return true;
+}
+
+std::optional<std::string> NodeDrag::update(Document& document, const Vec2& world, double grid, bool axis_lock) {
+    if (!active() || !document.scene().find(node_)) return {};
+    Vec2 delta = world - world_before_;
+    if (axis_lock) delta[std::fabs(delta.x()) < std::fabs(delta.y()) ? 0 : 1] = 0;
+    const Edit edit = moved(document.scene(), node_, at_before_, delta, grid);
+    if (!document.previewing() && identical(edit.value, Value(at_before_))) return {};  // a click is no drag
+    return document.preview(edit);
+}
+
+std::optional<std::string> NodeDrag::end(Document& document) {
+    if (!active()) return {};
+    const NodeId id = node_;
+    node_ = {};
+    return document.scene().find(id) ? document.commit(move_label(document.scene(), id)) : std::nullopt;
+}
+
+void NodeDrag::cancel(Document& document) {
+    if (active()) document.cancel_preview();
+    node_ = {};
+}
+
+int component_count(const Value& value) {
+    if (std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value)) return 1;
+    if (std::holds_alternative<Vec2>(value)) return 2;
+    if (const auto* points = std::get_if<std::vector<Vec2>>(&value)) return 2 * static_cast<int>(points->size());
+    return 0;
+}
+
+double component(const Value& value, int index) {
+    if (const double* number = std::get_if<double>(&value)) return *number;
+    if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
+    if (const Vec2* pair = std::get_if<Vec2>(&value)) return (*pair)[index];
+    return std::get<std::vector<Vec2>>(value)[static_cast<std::size_t>(index / 2)][index % 2];
+}
+
+Value with_component(Value value, int index, double x) {
+    if (double* number = std::get_if<double>(&value)) *number = x;
+    else if (auto* integer = std::get_if<std::int64_t>(&value)) *integer = static_cast<std::int64_t>(std::llround(x));
+    else if (Vec2* pair = std::get_if<Vec2>(&value)) (*pair)[index] = x;
+    else std::get<std::vector<Vec2>>(value)[static_cast<std::size_t>(index / 2)][index % 2] = x;
+    return value;
+}
+
+double scrub_step(const FieldType& field, double value) {
+    if (field.kind == FieldKind::integer) return std::max(1.0, std::round(field.meta.step));
+    if (field.meta.step > 0) return field.meta.step;
+    double step = field.meta.unit == Unit::metre ? 0.001 : 0.01;
+    while (std::fabs(value) >= 1000 * step && step < 1e6) step *= 10;
+    return step;
+}
+
+bool Scrub::begin(const Document& document, NodeId id, int field, int component_index) {
+    const Node* node = document.scene().find(id);
+    if (active() || !node) return false;
+    const Value& value = node->fields[static_cast<std::size_t>(field)].value;
+    if (component_index < 0 || component_index >= component_count(value)) return false;
+    node_ = id;
+    field_ = field;
+    component_ = component_index;
+    before_ = value;
+    return true;
+}
+
+void Scrub::update(Document& document, double pixels, bool fine, bool coarse) {
+    const Node* node = active() ? document.scene().find(node_) : nullptr;
+    if (!node) return;
+    const FieldType& field = node->type->fields[static_cast<std::size_t>(field_)];
+    const double from = component(before_, component_);
+    const bool integer = field.kind == FieldKind::integer;
+    const double step = scrub_step(field, from) * (coarse ? 10 : fine && !integer ? 0.1 : 1);
+    const double steps = std::round(pixels / (integer ? pixels_per_integer : 1));
+    if (steps == 0 && !document.previewing()) return;
+    Edit edit{node_, field_, before_, true};
+    const double target = steps == 0 ? from : snapped(from + steps * step, step);
+    edit.value = with_component(before_, component_, last_valid(document.scene(), edit, component_, from, target, step));
+    document.preview(edit);
+}
+
+std::optional<std::string> Scrub::end(Document& document) {
+    if (!active()) return {};
+    const NodeId id = node_;
+    node_ = {};
+    return document.scene().find(id) ? document.commit(change_label(document.scene(), id, field_)) : std::nullopt;
+}
+
+void Scrub::cancel(Document& document) {
+    if (active()) document.cancel_preview();
+    node_ = {};
+}
+
+Result<Value> value_of(const FieldType& field, std::string_view text) {
+    const bool list = field.kind == FieldKind::vec2 || field.kind == FieldKind::points || field.kind == FieldKind::names;
+    std::string written(text);
+    if (field.kind == FieldKind::vec2 && !written.starts_with('[')) written = "[" + written + "]";
+    const SourceText source("", written);
+    YamlTree tree;
+    if (list) tree = read_yaml(source);
+    YamlNode scalar;
+    scalar.kind = YamlKind::scalar;
+    scalar.text = written;
+    scalar.span = {0, written.size()};
+    if (list && !tree.root) return failure(tree.diagnostics.empty() ? "a value is due" : tree.diagnostics.front().message);
+    const Catalogue none;
+    const Limits limits;
+    Diagnostics diagnostics;
+    ReadContext context{source, none, limits, diagnostics};
+    std::optional<Value> value = read_value(context, field, list ? tree.root->resolved() : scalar);
+    if (value) return std::move(*value);
+    return failure(diagnostics.empty() ? "no such value" : diagnostics.front().message);
+}
+
+std::string text_of(const Document& document, NodeId id, int field) {
+    const Node& node = *document.scene().find(id);
+    const FieldSlot& slot = node.fields[static_cast<std::size_t>(field)];
+    const FieldType& type = node.type->fields[static_cast<std::size_t>(field)];
+    const std::string_view written = slot.given ? document.source().slice(slot.where) : std::string_view();
+    const auto spell = [&](int i) { return write_quantity(component(slot.value, i), type.meta.unit, part_of(written, i)); };
+    const auto spell_pair = [&](int i) { return fmt::format("[{}, {}]", spell(i), spell(i + 1)); };
+    switch (type.kind) {
+        case FieldKind::boolean: return std::get<bool>(slot.value) ? "true" : "false";
+        case FieldKind::integer: return fmt::format("{}", std::get<std::int64_t>(slot.value));
+        case FieldKind::number: return spell(0);
+        case FieldKind::vec2: return spell_pair(0);
+        case FieldKind::points: {
+            std::vector<std::string> pairs;
+            for (int i = 0; i < component_count(slot.value); i += 2) pairs.push_back(spell_pair(i));
+            return fmt::format("[{}]", fmt::join(pairs, ", "));
+        }
+        case FieldKind::names: return fmt::format("[{}]", fmt::join(std::get<std::vector<std::string>>(slot.value), ", "));
+        default: return std::get<std::string>(slot.value);
+    }
+}
+
+std::optional<std::string> set_from_text(Document& document, NodeId id, int field, std::string_view text) {
+    const Node* node = document.scene().find(id);
+    if (!node) return "the node no longer exists";
+    const Result<Value> value = value_of(node->type->fields[static_cast<std::size_t>(field)], text);
+    if (!value) return value.error().message;
+    return document.edit({id, field, *value, true}, change_label(document.scene(), id, field));
+}
+
+std::string move_label(const Scene& scene, NodeId node) { return fmt::format("Move {}", scene.path(node)); }
+
+std::string change_label(const Scene& scene, NodeId node, int field) {
+    const std::string_view key = scene.find(node)->type->fields[static_cast<std::size_t>(field)].key;
+    return fmt::format("Change {} of {}", key, scene.path(node));
+}
+
+}  // namespace pinfield::editor
