@@ -54,6 +54,7 @@ struct BoundaryPiece {
     sdf::Piece piece;
     int solid = 0;
     int leaf = 0;         ///< the op whose outline it comes from: decides material and attribution
+    LayerMask layers = ground_layer;  ///< of its solid
 };
 
 /// An implicit union of solids in one frame: the whole static table, one mover, or the region of one sensor.
@@ -70,7 +71,9 @@ struct Field {
 
 /// A solid with one degree of freedom: world_from_mover(q) is a rotation by q about `pivot`, or a translation by q along `axis`.
 struct Mover {
-    Field field;        ///< in the mover's frame: origin at the pivot, world orientation of the part at q = 0, metres
+    /// In the mover's frame: origin at the pivot, x axis along the part's own (its turn is not in the shapes but in the motion),
+    /// metres. The part's scale and mirroring are in the shapes. At q = 0 world = pivot + rotation(cosine, sine) * p.
+    Field field;
     int part = 0;       ///< index into Program::parts
     Vec2 pivot{0, 0};   ///< world
     double cosine = 1, sine = 0;  ///< of the part's turn in the world: mover frame -> world at q = 0

@@ -1,0 +1,88 @@
+#include "engine/program/compile.h"
+
+#include <fmt/format.h>
+
+#include "engine/core/error_codes.h"
+#include "engine/program/cook.h"
+#include "engine/program/field.h"
+
+namespace pinfield {
+namespace {
+
+constexpr std::size_t most_layers = 32;
+
+/// Tells the index of the solid, or -1 when the node has no shape.
+int add_static_solid(Kitchen& kitchen, const Item& item, int part, Program& program) {
+    Field solid = cook_solid(kitchen, item, world_from_local(kitchen.scene, item.node));
+    for (Solid& s : solid.solids) s.part = part;
+    append(program.fixed, solid);
+    return solid.solids.empty() ? -1 : static_cast<int>(program.fixed.solids.size()) - 1;
+}
+
+void add_part(Kitchen& kitchen, const Item& item, Program& program) {
+    const int index_of_part = static_cast<int>(program.parts.size());
+    program.parts.push_back(cook_part(kitchen, item));
+    Part& part = program.parts.back();
+    switch (item.role) {
+        case Role::solid:
+        case Role::boundary:
+            part.solid = add_static_solid(kitchen, item, index_of_part, program);
+            break;
+        case Role::mover:
+            part.mover = static_cast<int>(program.movers.size());
+            program.movers.push_back(cook_mover(kitchen, item, index_of_part));
+            break;
+        case Role::sensor: {
+            Field field = cook_solid(kitchen, item, part.world_from_part);
+            if (field.solids.empty()) break;
+            part.sensor = static_cast<int>(program.sensors.size());
+            index(field);
+            program.sensors.push_back({std::move(field), index_of_part});
+            break;
+        }
+        case Role::group: break;
+    }
+}
+
+/// Layers without a domain of their own get the table's box; more than one domain a layer is the author's mistake.
+void add_missing_domain(Kitchen& kitchen, const std::vector<Item>& items, Program& program) {
+    LayerMask bounded = 0;
+    for (const Item& item : items) {
+        if (item.role != Role::boundary) continue;
+        const LayerMask layers = layers_of(kitchen, item.node);
+        if (bounded & layers)
+            kitchen.problems.push_back(diagnose(Code::second_domain, kitchen.scene.find(item.node)->key, "this layer has a domain already"));
+        bounded |= layers;
+    }
+    const LayerMask all = static_cast<LayerMask>((std::uint64_t{1} << kitchen.layers.size()) - 1);
+    if (bounded != all) append(program.fixed, cook_default_domain(kitchen, all & ~bounded));
+}
+
+}  // namespace
+
+tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
+    std::vector<Item> items;
+    for (const NodeId root : scene.roots()) collect_items(scene, root, items);
+    Kitchen kitchen{scene, layer_names(scene, items), {}};
+    if (kitchen.layers.size() > most_layers) {
+        kitchen.problems.push_back(diagnose(Code::out_of_range, scene.table().where, fmt::format("the table has {} layers, at most {} are possible", kitchen.layers.size(), most_layers)));
+        return tl::unexpected(kitchen.problems);
+    }
+    auto program = std::make_shared<Program>();
+    program->layers = kitchen.layers;
+    program->materials = cook_materials(scene);
+    program->physics = cook_physics(scene);
+    program->name = scene.table().get<std::string>("name");
+    program->size = scene.table().get<Vec2>("size");
+    for (const InputBinding& input : scene.inputs) program->inputs.push_back(input.name);
+    for (const Item& item : items) {
+        if (item.is_part) add_part(kitchen, item, *program);
+        else add_static_solid(kitchen, item, -1, *program);
+    }
+    add_missing_domain(kitchen, items, *program);
+    if (has_errors(kitchen.problems)) return tl::unexpected(kitchen.problems);
+    index(program->fixed);
+    return ProgramPtr(std::move(program));
+}
+
+}  // namespace pinfield

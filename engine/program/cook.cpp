@@ -1,0 +1,158 @@
+#include "engine/program/cook.h"
+
+#include <algorithm>
+
+#include "engine/core/trig.h"
+#include "engine/core/error_codes.h"
+#include "engine/program/field.h"
+#include "engine/program/piece_distance.h"
+
+namespace pinfield {
+namespace {
+
+constexpr double earth_gravity = 9.81;  // m/s^2, as TableInfo::slope documents
+
+/// The struct behind a record node, by the same packing that formulas use.
+template <class T>
+T record_of(const Node& node) {
+    std::vector<Value> values;
+    for (const FieldSlot& slot : node.fields) values.push_back(slot.value);
+    return load<T>(pack(*node.type, values).data());
+}
+
+MaterialRecord material_record(const std::string& name, const Material& m, const std::string& color) {
+    return {name, m.restitution, m.falloff, m.tangential, m.friction, m.scatter, color};
+}
+
+MaterialRecord cook_material(const Node& node) {
+    std::string color;
+    for (std::size_t i = 0; i < node.fields.size(); ++i)
+        if (node.type->fields[i].meta.meaning == Meaning::color) color = std::get<std::string>(node.fields[i].value);
+    return material_record(node.name, record_of<Material>(node), color);
+}
+
+double farthest_from_origin(const BoundaryPiece& boundary) {
+    const sdf::Piece& piece = boundary.piece;
+    const double ends = std::max(length(piece.a), length(piece.b));
+    return piece.is_arc() && in_sweep(piece, piece.centre) ? std::max(ends, length(piece.centre) + piece.radius) : ends;
+}
+
+double farthest_from_origin(const Field& field) {
+    double farthest = 0;
+    for (const BoundaryPiece& boundary : field.pieces) farthest = std::max(farthest, farthest_from_origin(boundary));
+    for (const int solid : field.tree_solids) {
+        const Box2& box = field.solids[static_cast<std::size_t>(solid)].bounds;
+        if (box.is_empty()) continue;
+        for (const Vec2& corner : {box.lo, box.hi, Vec2(box.lo.x(), box.hi.y()), Vec2(box.hi.x(), box.lo.y())})
+            farthest = std::max(farthest, length(corner));
+    }
+    return farthest;
+}
+
+int input_index(Kitchen& kitchen, const Node& node, const std::string& name, Span where) {
+    const auto& inputs = kitchen.scene.inputs;
+    const auto at = std::find_if(inputs.begin(), inputs.end(), [&](const InputBinding& i) { return i.name == name; });
+    if (at != inputs.end()) return static_cast<int>(at - inputs.begin());
+    kitchen.problems.push_back(diagnose(Code::unknown_input, where == Span{} ? node.where : where, "no input is named '" + name + "'"));
+    return -1;
+}
+
+}  // namespace
+
+void collect_items(const Scene& scene, NodeId id, std::vector<Item>& out) {
+    const Node& node = *scene.find(id);
+    if (!node.type->part) {
+        out.push_back({id, Role::solid, false});
+    } else if (node.type->part->role != Role::group) {
+        out.push_back({id, node.type->part->role, true});
+    } else {
+        for (const NodeId child : node.children) collect_items(scene, child, out);
+    }
+}
+
+NodeId scene_node_of(const Scene& scene, NodeId id) {
+    const auto is_group = [&](NodeId n) { return scene.find(n)->type->part && scene.find(n)->type->part->role == Role::group; };
+    while (scene.find(id)->parent && !is_group(scene.find(id)->parent)) id = scene.find(id)->parent;
+    return id;
+}
+
+std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>& items) {
+    std::vector<std::string> names{ground_layer_name};
+    for (const Item& item : items)
+        for (const Node* node = scene.find(item.node); node; node = node->parent ? scene.find(node->parent) : nullptr)
+            for (const std::string& layer : node->get<std::vector<std::string>>("layer"))
+                if (std::find(names.begin(), names.end(), layer) == names.end()) names.push_back(layer);
+    return names;
+}
+
+LayerMask layers_of(const Kitchen& kitchen, NodeId id) {
+    for (const Node* node = kitchen.scene.find(id); node; node = node->parent ? kitchen.scene.find(node->parent) : nullptr) {
+        LayerMask mask = 0;
+        for (const std::string& layer : node->get<std::vector<std::string>>("layer"))
+            mask |= LayerMask{1} << (std::find(kitchen.layers.begin(), kitchen.layers.end(), layer) - kitchen.layers.begin());
+        if (mask != 0) return mask;
+    }
+    return ground_layer;
+}
+
+Part cook_part(Kitchen& kitchen, const Item& item) {
+    const Node& node = *kitchen.scene.find(item.node);
+    Part part;
+    part.type = node.type;
+    part.origin = item.node;
+    part.name = kitchen.scene.path(item.node);
+    part.world_from_part = world_from_local(kitchen.scene, item.node);
+    std::vector<Value> values;
+    for (int i = 0; i < node.type->own_fields; ++i) {
+        const FieldSlot& slot = node.fields[static_cast<std::size_t>(i)];
+        values.push_back(slot.value);
+        if (node.type->fields[static_cast<std::size_t>(i)].meta.meaning != Meaning::input) continue;
+        for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
+            part.inputs.push_back(input_index(kitchen, node, name, slot.where));
+    }
+    part.params = pack(*node.type, values);
+    return part;
+}
+
+Mover cook_mover(Kitchen& kitchen, const Item& item, int part) {
+    const Similarity world_from_part = world_from_local(kitchen.scene, item.node);
+    Mover mover;
+    mover.part = part;
+    mover.pivot = world_from_part.offset;
+    mover.cosine = world_from_part.cosine;
+    mover.sine = world_from_part.sine;
+    mover.handedness = world_from_part.mirrored ? -1 : 1;
+    const Similarity mover_from_part{.scale = world_from_part.scale, .mirrored = world_from_part.mirrored};
+    mover.field = cook_solid(kitchen, item, mover_from_part);
+    for (Solid& solid : mover.field.solids) solid.part = part;
+    index(mover.field);
+    mover.lever = farthest_from_origin(mover.field);
+    return mover;
+}
+
+std::vector<MaterialRecord> cook_materials(const Scene& scene) {
+    std::vector<MaterialRecord> out{material_record("default", Material{}, {})};
+    for (const NodeId id : scene.materials()) {
+        const MaterialRecord record = cook_material(*scene.find(id));
+        if (record.name == out[0].name) out[0] = record;
+        else out.push_back(record);
+    }
+    return out;
+}
+
+PhysicsRecord cook_physics(const Scene& scene) {
+    const auto settings = record_of<PhysicsSettings>(scene.physics());
+    const auto table = record_of<TableInfo>(scene.table());
+    PhysicsRecord out;
+    out.step = settings.step;
+    out.integrator = settings.integrator;
+    out.gravity = {0, -earth_gravity * sine_degrees(table.slope)};
+    out.ball_radius = settings.ball_radius;
+    out.ball_mass = settings.ball_mass;
+    out.ball_restitution = settings.ball_restitution;
+    out.tolerance = settings.tolerance;
+    out.rest_speed = settings.rest_speed;
+    return out;
+}
+
+}  // namespace pinfield

@@ -1,0 +1,51 @@
+// Scene nodes one at a time into what a Program is made of. compile.cpp cooks all of them, patch.cpp those that an edit touched:
+// both through these functions, so that a patched program cannot differ from a compiled one.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "engine/core/diagnostic.h"
+#include "engine/program/program.h"
+#include "engine/scene/part_traits.h"
+#include "engine/scene/scene.h"
+
+namespace pinfield {
+
+/// What cooking a node needs to know of the table around it.
+struct Kitchen {
+    const Scene& scene;
+    std::vector<std::string> layers;  ///< as Program::layers
+    Diagnostics problems;
+};
+
+/// A scene node that stands for itself in the Program: not a group, but what a group holds.
+struct Item {
+    NodeId node;
+    Role role = Role::solid;
+    bool is_part = false;
+};
+
+/// The items at and below a scene node, in file order.
+void collect_items(const Scene& scene, NodeId node, std::vector<Item>& out);
+/// The group or item that a node belongs to: itself, or the nearest ancestor that is a scene node.
+NodeId scene_node_of(const Scene& scene, NodeId node);
+
+/// The name every table's ground layer goes by.
+inline constexpr const char* ground_layer_name = "ground";
+std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>& items);
+/// Own layers, else those of the nearest group that names some, else the ground.
+LayerMask layers_of(const Kitchen& kitchen, NodeId node);
+
+/// A solid, in the frame given, as a Field with that one solid (not indexed); no solid when the node has no shape.
+Field cook_solid(Kitchen& kitchen, const Item& item, const Similarity& field_from_node);
+/// The domain of a table that says none: a box of the table's size.
+Field cook_default_domain(Kitchen& kitchen, LayerMask layers);
+Mover cook_mover(Kitchen& kitchen, const Item& item, int part);
+/// Without the indices of its solid, mover or sensor.
+Part cook_part(Kitchen& kitchen, const Item& item);
+
+/// materials[0] is the one named `default`, or the defaults; the others follow in file order.
+std::vector<MaterialRecord> cook_materials(const Scene& scene);
+PhysicsRecord cook_physics(const Scene& scene);
+
+}  // namespace pinfield

@@ -1,0 +1,216 @@
+// A scene node's shape as ops: frames composed, parameters packed, bounds and exactness propagated, boundary lowered.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "engine/core/error_codes.h"
+#include "engine/program/cook.h"
+#include "engine/program/lower.h"
+#include "engine/reflect/erase.h"
+#include "engine/sdf/catalog.h"
+
+namespace pinfield {
+namespace {
+
+bool is_finite(const Similarity& s) {
+    return std::isfinite(s.cosine) && std::isfinite(s.sine) && std::isfinite(s.scale) && s.scale > 0 && s.offset.allFinite();
+}
+
+/// For formulas that grow boxes by a length of their own frame.
+Box2 scaled(const Box2& box, double factor) { return box.is_empty() ? box : Box2{factor * box.lo, factor * box.hi}; }
+
+/// Grows a Field op by op, children before parents.
+class Emitter {
+public:
+    Emitter(Kitchen& kitchen, Field& field) : kitchen_(kitchen), scene_(kitchen.scene), field_(field) {}
+
+    int emit_node(NodeId id, const Similarity& field_from_node);
+    int emit_part_shape(const Node& node, const Similarity& field_from_node);
+    /// An op of a built-in operation that the author did not write.
+    template <template <class> class N>
+    int emit_implied(NodeId origin, const Similarity& field_from_node, const std::vector<int>& children) {
+        const NodeType* type = scene_.catalogue().find(N<double>::describe().meta.key);
+        return emit(*type->kernels, {}, origin, field_from_node, children);
+    }
+    int emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId origin, const Similarity& field_from_op,
+             const std::vector<int>& children);
+
+private:
+    void bound(Op& op, const Similarity& field_from_op);
+    int material_of(NodeId id) const;
+
+    Kitchen& kitchen_;
+    const Scene& scene_;
+    Field& field_;
+};
+
+int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
+    const Node& node = *scene_.find(id);
+    std::vector<int> children;
+    for (const NodeId child : node.children)
+        children.push_back(emit_node(child, field_from_node * parent_from_local(*scene_.find(child))));
+    const sdf::Kernels& kernels = *node.type->kernels;
+    std::vector<Value> values;
+    for (int i = 0; i < node.type->own_fields; ++i) values.push_back(node.fields[static_cast<std::size_t>(i)].value);
+    std::vector<double> block = pack(*node.type, values, kernels.derived_count);
+    if (const auto broken = broken_contract(*node.type, block.data()))
+        kitchen_.problems.push_back(diagnose(Code::broken_contract, node.key, std::string(*broken)));
+    kernels.derive(block.data());
+    return emit(kernels, std::move(block), id, field_from_node, children);
+}
+
+int Emitter::emit_part_shape(const Node& node, const Similarity& field_from_node) {
+    if (node.children.empty()) {
+        if (!node.type->part->customary_shape) return -1;
+        std::vector<Value> values;
+        for (int i = 0; i < node.type->own_fields; ++i) values.push_back(node.fields[static_cast<std::size_t>(i)].value);
+        CustomaryShape shape = node.type->part->customary_shape(pack(*node.type, values).data());
+        return emit(*shape.kernels, std::move(shape.params), node.id, field_from_node * shape.part_from_shape, {});
+    }
+    std::vector<int> children;
+    for (const NodeId child : node.children)
+        children.push_back(emit_node(child, field_from_node * parent_from_local(*scene_.find(child))));
+    return children.size() == 1 ? children[0] : emit_implied<sdf::Union>(node.id, field_from_node, children);
+}
+
+int Emitter::emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId origin, const Similarity& field_from_op,
+                  const std::vector<int>& children) {
+    Op op;
+    op.kernels = &kernels;
+    op.params = static_cast<int>(field_.params.size());
+    op.param_count = static_cast<int>(block.size());
+    field_.params.insert(field_.params.end(), block.begin(), block.end());
+    op.first_link = static_cast<int>(field_.links.size());
+    op.child_count = static_cast<int>(children.size());
+    field_.links.insert(field_.links.end(), children.begin(), children.end());
+    op.first_image = static_cast<int>(field_.images.size());
+    op.local_from_field = field_from_op.inverse();
+    op.scale = field_from_op.scale;
+    op.origin = origin;
+    op.material = material_of(origin);
+    if (!is_finite(field_from_op) || !is_finite(op.local_from_field))
+        kitchen_.problems.push_back(diagnose(Code::not_finite, scene_.find(origin)->where, "is placed or scaled beyond what can be computed"));
+    if (kernels.images) {
+        const Similarity identity;
+        for (const Similarity& image : kernels.images(block.data())) {
+            const bool stays = image.cosine == 1 && image.sine == 0 && !image.mirrored && image.offset == Vec2(0, 0);
+            field_.images.push_back(stays ? identity : field_from_op * image * op.local_from_field);
+            field_.images.back().scale = 1;
+        }
+        op.image_count = static_cast<int>(field_.images.size()) - op.first_image;
+    }
+    bound(op, field_from_op);
+    field_.ops.push_back(op);
+    return static_cast<int>(field_.ops.size()) - 1;
+}
+
+/// Fills in bounds and exactness from the children's.
+void Emitter::bound(Op& op, const Similarity& field_from_op) {
+    const double* params = field_.params.data() + op.params;
+    std::vector<Box2> boxes;
+    std::vector<Exactness> sides;
+    for (int i = 0; i < op.child_count; ++i) {
+        const Op& child = field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link + i)])];
+        boxes.push_back(scaled(child.bounds, 1 / op.scale));
+        sides.push_back(child.exactness);
+    }
+    op.exactness = op.kernels->exactness(params, sides);
+    switch (op.kernels->form) {
+        case sdf::Form::shape: op.bounds = field_from_op * op.kernels->bounds(params); break;
+        case sdf::Form::fold:
+        case sdf::Form::modify: op.bounds = scaled(op.kernels->bounds_over(params, boxes), op.scale); break;
+        case sdf::Form::images: {
+            const Op& child = field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link)])];
+            for (int i = 0; i < op.image_count; ++i)
+                op.bounds = op.bounds.merged(field_.images[static_cast<std::size_t>(op.first_image + i)] * child.bounds);
+            break;
+        }
+    }
+}
+
+/// Index into Program::materials, as cook_materials() orders them.
+int Emitter::material_of(NodeId id) const {
+    if (id == scene_.table().id) return 0;
+    const NodeId material = scene_.material_of(id);
+    if (!material || scene_.find(material)->name == "default") return 0;
+    int position = 1;
+    for (const NodeId other : scene_.materials()) {
+        if (other == material) return position;
+        if (scene_.find(other)->name != "default") ++position;
+    }
+    return 0;
+}
+
+/// The field's only solid, from its last op down.
+void finish(Field& field, NodeId origin, LayerMask layers, bool visible) {
+    Solid solid;
+    solid.root = static_cast<int>(field.ops.size()) - 1;
+    solid.bounds = field.ops.back().bounds;
+    solid.origin = origin;
+    solid.layers = layers;
+    solid.visible = visible;
+    field.solids.push_back(solid);
+    lower(field, 0);
+}
+
+bool is_visible(const Scene& scene, NodeId id) {
+    for (const Node* node = scene.find(id); node; node = node->parent ? scene.find(node->parent) : nullptr)
+        if (!node->get<bool>("visible")) return false;
+    return true;
+}
+
+/// Refuses trees that the formulas could not be asked about: operations without operands, parts among shapes.
+bool has_enough_children(const Scene& scene, NodeId id, Diagnostics& problems) {
+    const Node& node = *scene.find(id);
+    const ChildCount allowed = node.type->meta.children;
+    const int count = static_cast<int>(node.children.size());
+    bool fine = true;
+    if (count < allowed.min || count > allowed.max) {
+        problems.push_back(diagnose(Code::child_count, node.key, fmt::format("{} takes {} {} children, not {}", node.type->key(),
+                                                                            count < allowed.min ? "at least" : "at most",
+                                                                            count < allowed.min ? allowed.min : allowed.max, count)));
+        fine = false;
+    }
+    for (const NodeId child : node.children) {
+        if (!scene.find(child)->type->kernels) {
+            problems.push_back(diagnose(Code::misplaced_part, scene.find(child)->key, "only shapes and operations may stand here"));
+            return false;
+        }
+        fine = has_enough_children(scene, child, problems) && fine;
+    }
+    return fine;
+}
+
+}  // namespace
+
+Field cook_solid(Kitchen& kitchen, const Item& item, const Similarity& field_from_node) {
+    Field field;
+    if (!has_enough_children(kitchen.scene, item.node, kitchen.problems)) return field;
+    Emitter emitter(kitchen, field);
+    const Node& node = *kitchen.scene.find(item.node);
+    const int shape = item.is_part ? emitter.emit_part_shape(node, field_from_node) : emitter.emit_node(item.node, field_from_node);
+    if (shape < 0) return field;
+    if (item.role == Role::boundary) emitter.emit_implied<sdf::Complement>(item.node, field_from_node, {shape});
+    finish(field, item.node, layers_of(kitchen, item.node), is_visible(kitchen.scene, item.node));
+    return field;
+}
+
+Field cook_default_domain(Kitchen& kitchen, LayerMask layers) {
+    Field field;
+    Emitter emitter(kitchen, field);
+    const Node& table = kitchen.scene.table();
+    std::vector<Value> values;
+    for (const FieldSlot& slot : table.fields) values.push_back(slot.value);
+    const auto info = load<TableInfo>(pack(*table.type, values).data());
+    const sdf::Box<double> box{.size = info.size};
+    const NodeType& type = *kitchen.scene.catalogue().find(sdf::Box<double>::describe().meta.key);
+    std::vector<double> block = pack(type, values_of(box), type.kernels->derived_count);
+    type.kernels->derive(block.data());
+    const Similarity world_from_box = Similarity::translation(0.5 * Vec2(info.size.x, info.size.y));
+    const int shape = emitter.emit(*type.kernels, std::move(block), table.id, world_from_box, {});
+    emitter.emit_implied<sdf::Complement>(table.id, world_from_box, {shape});
+    finish(field, table.id, layers, true);
+    return field;
+}
+
+}  // namespace pinfield

@@ -1,0 +1,142 @@
+#include "engine/program/evaluate.h"
+
+#include "engine/program/piece_distance.h"
+#include "engine/program/tree.h"
+
+namespace pinfield {
+namespace {
+
+/// How far past the foot a certificate looks for the surface, relative to the size of the numbers at hand.
+constexpr double certificate_slack = 1e-11;
+
+const Solid& solid_at(const Field& field, int solid) { return field.solids[static_cast<std::size_t>(solid)]; }
+
+/// The nearest entry found so far by a search over Field::bvh. Of equals the lower entry stays, so that the result does not
+/// depend on the order of visits.
+struct Winner {
+    double squared;
+    int entry = -1;
+
+    void offer(double distance_squared, int candidate) {
+        if (distance_squared < squared || (distance_squared == squared && (entry < 0 || candidate < entry)))
+            squared = distance_squared, entry = candidate;
+    }
+};
+
+Nearest surface(const Field& field, int piece, const Vec2& p, bool inside_at_ends) {
+    const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(piece)];
+    const PieceFoot foot = foot_on_piece(boundary.piece, p);
+    Nearest out;
+    out.solid = boundary.solid;
+    out.leaf = boundary.leaf;
+    out.certified = true;
+    const bool inside = foot.interior ? foot.inside : inside_at_ends;
+    out.distance = inside ? -foot.distance : foot.distance;
+    out.gradient = inside && !foot.interior ? Vec2(-foot.normal) : foot.normal;
+    return out;
+}
+
+/// Is the value the true distance? Walk it along the gradient and a hair further: if the surface was crossed by then it is no
+/// farther, and as a bound it is no nearer (the foot-point certificate of SDF_CATALOGUE 2.4, by sign).
+bool is_certified(const Field& field, const Op& root, int op, const Vec2& p, const sdf::Sample& s) {
+    if ((s.value < 0 ? root.exactness.inside : root.exactness.outside) == Side::exact) return true;
+    const double slack = certificate_slack * (1 + std::fabs(s.value) + p.cwiseAbs().maxCoeff());
+    const double walk = s.value < 0 ? s.value - slack : s.value + slack;
+    const double beyond = tree_value(field, op, p - walk * s.gradient);
+    return s.value < 0 ? beyond >= 0 : beyond <= 0;
+}
+
+Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
+    const int root = solid_at(field, solid).root;
+    Nearest out;
+    const sdf::Sample s = evaluate_tree(field, root, p, &out.leaf);
+    out.distance = s.value;
+    out.gradient = s.gradient;
+    out.solid = solid;
+    out.certified = is_certified(field, field.ops[static_cast<std::size_t>(root)], root, p, s);
+    return out;
+}
+
+/// Index of the piece of a lowered solid that is nearest to p.
+int nearest_piece_of(const Field& field, int index, const Vec2& p) {
+    const Solid& solid = solid_at(field, index);
+    Winner winner{infinity};
+    const int end = solid.first_piece + solid.piece_count;
+    constexpr int few = 48;  // below this a plain loop beats a search that meets the other solids' pieces too
+    if (solid.piece_count <= few) {
+        for (int i = solid.first_piece; i < end; ++i)
+            winner.offer(squared_distance_to_piece(field.pieces[static_cast<std::size_t>(i)].piece, p), i);
+    } else {
+        field.bvh.nearest_squared(p, infinity, [&](int entry) {
+            if (solid.first_piece <= entry && entry < end)
+                winner.offer(squared_distance_to_piece(field.pieces[static_cast<std::size_t>(entry)].piece, p), entry);
+            return winner.squared;
+        });
+    }
+    return winner.entry;
+}
+
+bool contains(const Field& field, const Solid& solid, const Vec2& p) {
+    return solid.bounds.contains(p) && tree_value(field, solid.root, p) < 0;
+}
+
+/// Does any solid of these layers, other than `except`, contain p?
+bool is_covered(const Field& field, const Vec2& p, LayerMask layers, int except) {
+    for (std::size_t i = 0; i < field.solids.size(); ++i)
+        if (static_cast<int>(i) != except && (field.solids[i].layers & layers) && contains(field, field.solids[i], p)) return true;
+    return false;
+}
+
+}  // namespace
+
+double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot) {
+    const PieceFoot found = foot_on_piece(piece, p);
+    foot = found.foot;
+    return found.distance;
+}
+
+Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, double reach) {
+    const int pieces = static_cast<int>(field.pieces.size());
+    Winner winner{reach * reach};
+    field.bvh.nearest_squared(p, winner.squared, [&](int entry) {
+        if (entry < pieces) {
+            const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(entry)];
+            if (boundary.layers & layers) winner.offer(squared_distance_to_piece(boundary.piece, p), entry);
+        } else {
+            const Solid& solid = solid_at(field, field.tree_solids[static_cast<std::size_t>(entry - pieces)]);
+            if (solid.layers & layers) {
+                const double value = std::max(tree_value(field, solid.root, p), 0.0);
+                winner.offer(value * value, entry);
+            }
+        }
+        return winner.squared;
+    });
+    if (winner.entry < 0) return {.distance = reach};
+    if (winner.entry < pieces) return surface(field, winner.entry, p, false);
+    return surface_of_tree(field, field.tree_solids[static_cast<std::size_t>(winner.entry - pieces)], p);
+}
+
+Nearest nearest_of_solid(const Field& field, int index, const Vec2& p) {
+    const Solid& solid = solid_at(field, index);
+    if (!solid.lowered) return surface_of_tree(field, index, p);
+    return surface(field, nearest_piece_of(field, index, p), p, contains(field, solid, p));
+}
+
+Nearest nearest(const Field& field, const Vec2& p, LayerMask layers, double reach) {
+    Nearest deepest;
+    int containing = 0;
+    for (std::size_t i = 0; i < field.solids.size(); ++i) {
+        const Solid& solid = field.solids[i];
+        if (!(solid.layers & layers) || !contains(field, solid, p)) continue;
+        ++containing;
+        const Nearest here = nearest_of_solid(field, static_cast<int>(i), p);
+        if (here.distance < deepest.distance) deepest = here;
+    }
+    if (containing == 0) return nearest_outside(field, p, layers, reach);
+    // The way out ends in the open only when no other solid lies over the end of it.
+    const Vec2 exit = p - deepest.distance * deepest.gradient;
+    if (containing > 1 || (deepest.certified && is_covered(field, exit, layers, deepest.solid))) deepest.certified = false;
+    return deepest;
+}
+
+}  // namespace pinfield

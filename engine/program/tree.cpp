@@ -1,0 +1,130 @@
+// The tree back-end of evaluate.h: an op's formula over its children's, value alone or with gradient and winning leaf.
+#include "engine/program/tree.h"
+
+#include <cassert>
+
+#include "engine/program/evaluate.h"
+
+namespace pinfield {
+namespace {
+
+using sdf::Form;
+using sdf::Sample;
+
+/// The direction that `m` maps to d.
+Vec2 direction_before(const Similarity& m, const Vec2& d) {
+    const double x = m.cosine * d.x() + m.sine * d.y(), y = m.cosine * d.y() - m.sine * d.x();
+    return {x, m.mirrored ? -y : y};
+}
+
+const double* params_of(const Field& field, const Op& op) { return field.params.data() + op.params; }
+const Op& op_at(const Field& field, int op) { return field.ops[static_cast<std::size_t>(op)]; }
+int child_of(const Field& field, const Op& op, int i) { return field.links[static_cast<std::size_t>(op.first_link + i)]; }
+const Similarity& image_of(const Field& field, const Op& op, int i) {
+    return field.images[static_cast<std::size_t>(op.first_image + i)];
+}
+
+double fold_value(const Field& field, const Op& op, const Vec2& p) {
+    const double* params = params_of(field, op);
+    double value = tree_value(field, child_of(field, op, 0), p);
+    for (int i = 1; i < op.child_count; ++i) {
+        const double next = tree_value(field, child_of(field, op, i), p);
+        value = op.kernels->combine(params, value / op.scale, next / op.scale) * op.scale;
+    }
+    return value;
+}
+
+double images_value(const Field& field, const Op& op, const Vec2& p) {
+    double value = infinity;
+    for (int i = 0; i < op.image_count; ++i)
+        value = std::min(value, tree_value(field, child_of(field, op, 0), image_of(field, op, i).inverse() * p));
+    return value;
+}
+
+struct Traced {
+    Sample sample;
+    int leaf = 0;
+};
+
+Traced trace(const Field& field, int index, const Vec2& p);
+
+Traced trace_shape(const Field& field, int index, const Vec2& p) {
+    const Op& op = op_at(field, index);
+    const Vec2 local = op.local_from_field * p;
+    const Sample s = op.kernels->sample(params_of(field, op), local.x(), local.y());
+    return {{s.value * op.scale, direction_before(op.local_from_field, s.gradient)}, index};
+}
+
+/// The leaf of a fold is that of the operand that moves the result more; the first of equals.
+Traced trace_fold(const Field& field, const Op& op, const Vec2& p) {
+    Traced out = trace(field, child_of(field, op, 0), p);
+    for (int i = 1; i < op.child_count; ++i) {
+        const Traced next = trace(field, child_of(field, op, i), p);
+        const sdf::Partials f = op.kernels->combine_partials(params_of(field, op), out.sample.value / op.scale,
+                                                             next.sample.value / op.scale);
+        out.sample = {f.value * op.scale, f.by_a * out.sample.gradient + f.by_b * next.sample.gradient};
+        if (std::fabs(f.by_b) > std::fabs(f.by_a)) out.leaf = next.leaf;
+    }
+    return out;
+}
+
+Traced trace_modify(const Field& field, const Op& op, const Vec2& p) {
+    Traced out = trace(field, child_of(field, op, 0), p);
+    const double* params = params_of(field, op);
+    const sdf::Affine affine = op.kernels->affine(params);
+    const bool flips = affine.absolute ? out.sample.value < 0 : affine.sign < 0;
+    out.sample.value = op.kernels->modify(params, out.sample.value / op.scale) * op.scale;
+    if (flips) out.sample.gradient = -out.sample.gradient;
+    return out;
+}
+
+Traced trace_images(const Field& field, const Op& op, const Vec2& p) {
+    Traced best;
+    best.sample.value = infinity;
+    for (int i = 0; i < op.image_count; ++i) {
+        const Similarity& image = image_of(field, op, i);
+        Traced seen = trace(field, child_of(field, op, 0), image.inverse() * p);
+        if (!(seen.sample.value < best.sample.value)) continue;
+        seen.sample.gradient = image.direction(seen.sample.gradient);
+        best = seen;
+    }
+    return best;
+}
+
+Traced trace(const Field& field, int index, const Vec2& p) {
+    const Op& op = op_at(field, index);
+    switch (op.kernels->form) {
+        case Form::shape: return trace_shape(field, index, p);
+        case Form::fold: return trace_fold(field, op, p);
+        case Form::modify: return trace_modify(field, op, p);
+        case Form::images: return trace_images(field, op, p);
+    }
+    assert(false && "an op has one of the four forms");
+    return {};
+}
+
+}  // namespace
+
+double tree_value(const Field& field, int index, const Vec2& p) {
+    const Op& op = op_at(field, index);
+    switch (op.kernels->form) {
+        case Form::shape: {
+            const Vec2 local = op.local_from_field * p;
+            return op.kernels->distance(params_of(field, op), local.x(), local.y()) * op.scale;
+        }
+        case Form::fold: return fold_value(field, op, p);
+        case Form::modify:
+            return op.kernels->modify(params_of(field, op), tree_value(field, child_of(field, op, 0), p) / op.scale) * op.scale;
+        case Form::images: return images_value(field, op, p);
+    }
+    assert(false && "an op has one of the four forms");
+    return infinity;
+}
+
+Sample evaluate_tree(const Field& field, int op, const Vec2& p, int* leaf) {
+    const Traced traced = trace(field, op, p);
+    if (leaf) *leaf = traced.leaf;
+    return traced.sample;
+}
+
+}  // namespace pinfield
