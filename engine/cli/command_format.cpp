@@ -1,0 +1,21 @@
+// pinfield format FILE: the canonical form of a table, to stdout; the file itself is never written.
+#include <CLI/CLI.hpp>
+
+#include "engine/cli/command.h"
+#include "engine/cli/output.h"
+#include "engine/cli/table.h"
+#include "engine/io/write_table.h"
+
+namespace pinfield::cli {
+
+void add_format(CLI::App& app, Exit& exit) {
+    CLI::App* command = app.add_subcommand("format", "Print a table in its canonical form");
+    const auto file = std::make_shared<std::string>();
+    command->add_option("FILE", *file, "Table file")->required();
+    command->callback([file, &exit] {
+        print(write_table(open_table(*file).scene));
+        exit = Exit::fine;
+    });
+}
+
+}  // namespace pinfield::cli

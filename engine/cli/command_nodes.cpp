@@ -1,0 +1,42 @@
+// pinfield nodes [KEY]: every node with its fields, units, ranges, defaults and exactness.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "engine/cli/command.h"
+#include "engine/cli/output.h"
+#include "engine/io/node_reference.h"
+#include "engine/scene/catalog.h"
+
+namespace pinfield::cli {
+namespace {
+
+struct Options {
+    std::string key;
+    bool json = false, markdown = false;
+};
+
+void nodes(const Options& options) {
+    const Catalogue catalogue = built_in_catalogue();
+    const std::vector<const NodeType*> types = referenced_types(catalogue, options.key);
+    if (types.empty()) throw Stop{Exit::usage, fmt::format("there is no node \"{}\"; `pinfield nodes` lists all", options.key)};
+    std::string text = options.json ? reference_json(types) : options.markdown ? reference_markdown(types) : reference_text(types);
+    if (!text.ends_with('\n')) text += '\n';
+    print(text);
+}
+
+}  // namespace
+
+void add_nodes(CLI::App& app, Exit& exit) {
+    CLI::App* command = app.add_subcommand("nodes", "List every node with its fields, units, ranges, defaults and exactness");
+    const auto options = std::make_shared<Options>();
+    command->add_option("KEY", options->key, "Only this node");
+    CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
+    command->add_flag("--markdown", options->markdown, "As Markdown")->excludes(json);
+    command->callback([options, &exit] {
+        nodes(*options);
+        exit = Exit::fine;
+    });
+}
+
+}  // namespace pinfield::cli

@@ -1,0 +1,21 @@
+// pinfield schema: JSON Schema of the table format, for editors that complete and check YAML.
+#include <CLI/CLI.hpp>
+
+#include "engine/cli/command.h"
+#include "engine/cli/output.h"
+#include "engine/io/json_schema.h"
+#include "engine/scene/catalog.h"
+
+namespace pinfield::cli {
+
+void add_schema(CLI::App& app, Exit& exit) {
+    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema (draft-07) of the table format");
+    command->callback([&exit] {
+        std::string text = json_schema(built_in_catalogue());
+        if (!text.ends_with('\n')) text += '\n';
+        print(text);
+        exit = Exit::fine;
+    });
+}
+
+}  // namespace pinfield::cli

@@ -1,0 +1,70 @@
+// `pinfield`: the headless command. Each subcommand is one file, command_<name>.cpp.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "engine/cli/command.h"
+#include "engine/cli/output.h"
+
+namespace {
+
+using pinfield::cli::Exit;
+
+void add_commands(CLI::App& app, Exit& exit) {
+    using namespace pinfield::cli;
+    add_check(app, exit);
+    add_nodes(app, exit);
+    add_schema(app, exit);
+    add_eval(app, exit);
+    add_simulate(app, exit);
+    add_render(app, exit);
+    add_format(app, exit);
+    add_test(app, exit);
+    add_bench(app, exit);
+}
+
+/// Help and version are answers (stdout, 0); every other complaint of the parser is a wrong command line.
+Exit answer(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) {
+        std::string text;
+        if (dynamic_cast<const CLI::CallForHelp*>(&error) || dynamic_cast<const CLI::CallForAllHelp*>(&error))
+            text = app.help();
+        else
+            text = std::string(error.what()) + "\n";
+        pinfield::cli::print(text);
+        return Exit::fine;
+    }
+    fmt::print(stderr, "pinfield: {}\nRun `pinfield --help`, or `pinfield COMMAND --help`.\n", error.what());
+    return Exit::usage;
+}
+
+Exit run(int argc, char** argv) {
+    CLI::App app("Pinfield: pinball tables of signed distance fields, without a window.", "pinfield");
+    app.set_version_flag("--version", "pinfield " PINFIELD_VERSION);
+    app.require_subcommand(1);
+    app.footer("Exit codes: 0 fine, 1 the table is wrong or a test failed, 2 wrong usage, 3 a file or device failed.");
+    Exit exit = Exit::fine;
+    add_commands(app, exit);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return answer(app, error);
+    }
+    return exit;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return static_cast<int>(run(argc, argv));
+    } catch (const pinfield::cli::Stop& stop) {
+        fmt::print(stderr, "pinfield: {}\n", stop.message);
+        return static_cast<int>(stop.code);
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "pinfield: {}\n", error.what());
+        return static_cast<int>(Exit::failed);
+    }
+}

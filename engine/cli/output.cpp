@@ -1,0 +1,46 @@
+#include "engine/cli/output.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "engine/cli/command.h"
+
+namespace pinfield::cli {
+
+Output::Output(std::string path) : path_(std::move(path)) {
+    if (path_.empty() || path_ == "-") {
+        path_ = "stdout";
+        file_ = stdout;
+    } else {
+        file_ = std::fopen(path_.c_str(), "wb");
+        if (!file_) stop();
+    }
+}
+
+Output::~Output() {
+    if (file_ && file_ != stdout) std::fclose(file_);
+}
+
+void Output::write(std::string_view text) {
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) stop();
+}
+
+void Output::finish() {
+    std::FILE* file = std::exchange(file_, nullptr);
+    const bool flushed = std::fflush(file) == 0;
+    const int reason = errno;
+    const bool closed = file == stdout || std::fclose(file) == 0;
+    if (!flushed) errno = reason;
+    if (!flushed || !closed) stop();
+}
+
+void Output::stop() const { throw Stop{Exit::failed, "cannot write " + path_ + ": " + std::strerror(errno)}; }
+
+void print(std::string_view text) {
+    Output out("-");
+    out.write(text);
+    out.finish();
+}
+
+}  // namespace pinfield::cli

@@ -1,0 +1,32 @@
+#include "engine/cli/table.h"
+
+#include <fmt/format.h>
+
+#include "engine/cli/command.h"
+#include "engine/program/compile.h"
+#include "engine/scene/catalog.h"
+
+namespace pinfield::cli {
+
+std::string text_of(const Diagnostics& diagnostics, const SourceText& source) {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics) {
+        text += format(diagnostic, source);
+        if (!text.ends_with('\n')) text += '\n';
+    }
+    return text;
+}
+
+Table open_table(const std::string& path) {
+    LoadedTable loaded = value_or_stop(load_table(path, std::make_shared<const Catalogue>(built_in_catalogue())));
+    const std::string found = text_of(loaded.diagnostics, *loaded.source);
+    if (!loaded.ok()) throw Stop{Exit::wrong, found};
+    const auto program = compile(loaded.scene);
+    if (!program) throw Stop{Exit::wrong, found + text_of(program.error(), *loaded.source)};
+    fmt::print(stderr, "{}", found);
+    return {loaded.source, std::move(loaded.scene), *program};
+}
+
+std::string name_of(const Scene& scene, NodeId node) { return scene.find(node) ? scene.path(node) : "table"; }
+
+}  // namespace pinfield::cli

@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/cli/run.h"
+
+using namespace pinfield::cli_test;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> yaml_files(const std::string& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(fs::path(PINFIELD_SOURCE_DIR) / folder))
+        if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+}  // namespace
+
+TEST_CASE("check is silent about what is right and exits 0") {
+    for (const char* folder : {"scenes/tables", "scenes/nodes"}) {
+        for (const fs::path& file : yaml_files(folder)) {
+            INFO(file);
+            const Outcome outcome = run_pinfield("check " + file.string());
+            CHECK(outcome.exit == 0);
+            CHECK_THAT(outcome.out, !Catch::Contains("error"));
+        }
+    }
+}
+
+TEST_CASE("check says of every wrong table what and where, on stdout, with the source line and a caret, and exits 1") {
+    const std::vector<fs::path> files = yaml_files("scenes/invalid");
+    CHECK(files.size() >= 25);
+    const std::regex diagnostic(R"((.+):(\d+):(\d+): (error|warning): .+ \[E\d{4}\])");
+    for (const fs::path& file : files) {
+        INFO(file);
+        const Outcome outcome = run_pinfield("check " + file.string());
+        CHECK(outcome.exit == 1);
+        CHECK(outcome.err.empty());
+        const std::vector<std::string> lines = lines_of(outcome.out);
+        REQUIRE_FALSE(lines.empty());
+        std::smatch match;
+        CHECK(std::regex_match(lines[0], match, diagnostic));
+        CHECK_THAT(outcome.out, Catch::Contains("^"));
+    }
+}
+
+TEST_CASE("check takes several files, tells all diagnostics of all of them, and an unreadable one is exit 3") {
+    const Scratch scratch;
+    const std::string wrong = scratch.write("two.yaml", "pinfield: 1\nscene:\n  - circle: {radius: -1}\n  - bxo: {size: [1, 1]}\n");
+    const Outcome both = run_pinfield("check " + first_table + " " + wrong);
+    CHECK(both.exit == 1);
+    CHECK_THAT(both.out, Catch::Contains("two.yaml:3:") && Catch::Contains("two.yaml:4:") && Catch::Contains("box"));
+    const Outcome missing = run_pinfield("check " + wrong + " no/such.yaml");
+    CHECK(missing.exit == 3);
+    CHECK_THAT(missing.out, Catch::Contains("two.yaml:3:"));
+    CHECK_THAT(missing.err, Catch::Contains("no/such.yaml"));
+}
+
+TEST_CASE("nodes lists every node, as JSON with the members it should have") {
+    const Outcome all = run_pinfield("nodes --json");
+    REQUIRE(all.exit == 0);
+    const json nodes = json::parse(all.out);
+    REQUIRE(nodes.is_array());
+    std::vector<std::string> keys;
+    for (const json& node : nodes) {
+        INFO(node.dump());
+        for (const char* key : {"key", "kind", "doc", "exactness", "fields", "children"}) CHECK(node.contains(key));
+        for (const char* key : {"outside", "inside", "lipschitz"}) CHECK(node["exactness"].contains(key));
+        CHECK(node["children"].contains("min"));
+        CHECK(node["children"].contains("max"));
+        for (const json& field : node["fields"])
+            for (const char* key : {"key", "type", "unit", "default", "min", "min_open", "doc"}) CHECK(field.contains(key));
+        keys.push_back(node["key"]);
+    }
+    for (const char* key : {"circle", "box", "segment", "capsule", "uneven_capsule", "half_plane", "triangle", "polygon", "arc", "ellipse",
+                            "regular_polygon", "star", "union", "intersection", "difference", "xor", "complement", "smooth_union",
+                            "smooth_difference", "round", "onion", "mirror", "repeat_polar", "domain", "flipper", "bumper", "plunger", "drain",
+                            "spawn"})
+        CHECK(std::count(keys.begin(), keys.end(), key) == 1);
+    const json circle = json::parse(run_pinfield("nodes circle --json").out);
+    REQUIRE(circle.is_array());
+    REQUIRE(circle.size() == 1);
+    CHECK(circle[0]["key"] == "circle");
+    CHECK(circle[0]["fields"][0]["key"] == "radius");
+    CHECK(circle[0]["fields"][0]["unit"] == "m");
+    CHECK_THAT(run_pinfield("nodes").out, Catch::Contains("circle") && Catch::Contains("radius"));
+    CHECK_THAT(run_pinfield("nodes --markdown").out, Catch::Contains("# ") && Catch::Contains("circle"));
+}
+
+TEST_CASE("the schema is JSON Schema draft-07") {
+    const Outcome outcome = run_pinfield("schema");
+    REQUIRE(outcome.exit == 0);
+    CHECK_THAT(json::parse(outcome.out)["$schema"].get<std::string>(), Catch::Contains("draft-07"));
+}
+
+TEST_CASE("render writes a PNG of the size asked for") {
+    const Scratch scratch;
+    for (const char* mode : {"shaded", "isolines"}) {
+        const std::string path = scratch / mode;
+        const Outcome outcome = run_pinfield("render " + first_table + " -o " + path + " --size 120x240 --mode " + mode);
+        INFO(outcome.err);
+        REQUIRE(outcome.exit == 0);
+        const std::string png = slurp(path);
+        REQUIRE(png.size() > 1000);
+        CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+        const auto big_endian = [&](std::size_t at) {
+            unsigned value = 0;
+            for (std::size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(png[i]);
+            return value;
+        };
+        CHECK(big_endian(16) == 120);
+        CHECK(big_endian(20) == 240);
+    }
+    CHECK(slurp(scratch / "shaded") != slurp(scratch / "isolines"));
+}
+
+TEST_CASE("format prints the canonical form, which is its own canonical form, and leaves the file alone") {
+    const Scratch scratch;
+    const std::string before = slurp(fs::path(PINFIELD_SOURCE_DIR) / first_table);
+    const Outcome once = run_pinfield("format " + first_table);
+    REQUIRE(once.exit == 0);
+    CHECK(slurp(fs::path(PINFIELD_SOURCE_DIR) / first_table) == before);
+    const Outcome twice = run_pinfield("format " + scratch.write("once.yaml", once.out));
+    CHECK(twice.exit == 0);
+    CHECK(twice.out == once.out);
+    // Nothing of the game was lost on the way.
+    const std::string run = " --seconds 2 --inputs scenes/tables/first_table.inputs.csv --json";
+    const json original = json::parse(run_pinfield("simulate " + first_table + run).out);
+    const json formatted = json::parse(run_pinfield("simulate " + (scratch / "once.yaml") + run).out);
+    CHECK(original["state_hash"] == formatted["state_hash"]);
+}
+
+TEST_CASE("test runs a table's own tests and exits 1 when one fails") {
+    const Outcome fine = run_pinfield("test " + first_table);
+    INFO(fine.out << fine.err);
+    CHECK(fine.exit == 0);
+    const Scratch scratch;
+    const std::string table = scratch.write(
+        "t.yaml",
+        "pinfield: 1\nscene:\n  - bumper: {id: pop, at: [0.26, 0.5]}\n"
+        "tests:\n  - {name: right, launch: {at: [0.26, 0.8], velocity: [0, -1]}, run: 1s, expect: [pop.hits >= 1, escaped == 0]}\n"
+        "  - {name: wrong, launch: {at: [0.1, 0.8], velocity: [0, 0]}, run: 0.1s, expect: [pop.hits >= 1]}\n");
+    const Outcome half = run_pinfield("test " + table);
+    CHECK(half.exit == 1);
+    CHECK_THAT(half.out, Catch::Contains("right") && Catch::Contains("wrong") && Catch::Contains("pop.hits >= 1"));
+    const json results = json::parse(run_pinfield("test " + table + " --json").out);
+    REQUIRE(results.is_object());
+    CHECK(results["passed"] == 1);
+    CHECK(results["failed"] == 1);
+}
