@@ -21,6 +21,15 @@ struct MoverState {
     double drive_time = 0;        ///< seconds since the drive began: the torque ramp
     bool driven = false;
     double inverse_inertia = 0;   ///< 1/(kg m^2) or 1/kg; 0: kinematic
+    double launch_rate = 0;       ///< m/s of a plunger on its way forward
+};
+
+/// A stretch of a mover's motion within a tick: q + rate s + acceleration s^2 / 2 for s seconds after `start`.
+struct MoverSegment {
+    int mover = 0;
+    double start = 0, duration = 0;  ///< seconds since the world's start
+    double q = 0, rate = 0, acceleration = 0;
+    double at(double s) const { return q + rate * s + 0.5 * acceleration * s * s; }
 };
 
 struct WorldOptions {
@@ -42,8 +51,9 @@ struct PathSegment {
 
 /// Counters of the work done, for tests and the status bar.
 struct WorldStats {
-    std::int64_t field_queries = 0, sweeps = 0, impacts = 0, capped_queries = 0, capped_ticks = 0;
-    int most_evaluations = 0;  ///< of one sweep
+    std::int64_t sweeps = 0, evaluations = 0, impacts = 0, capped_queries = 0, capped_ticks = 0;
+    std::int64_t free_steps = 0;  ///< ball-steps that the free path paid for, without any query
+    int most_evaluations = 0;     ///< of one sweep
 };
 
 class World {
@@ -94,6 +104,8 @@ public:
     /// Collect the path segments of each tick (cleared at the next one).
     void record_paths(bool on);
     std::span<const PathSegment> paths() const;
+    /// Likewise of the movers, in order of time for each.
+    std::span<const MoverSegment> mover_paths() const;
 
 private:
     struct State;
@@ -102,9 +114,14 @@ private:
 
 /// Distance of a point to all that is solid for a ball now: static field and movers at their present place.
 struct Gap {
-    double distance = infinity;
+    double distance = infinity;  ///< signed
+    Vec2 gradient{0, 0};
     NodeId node;
+    int mover = -1;              ///< index, or -1 for the static field
 };
 Gap gap_at(const World& world, const Vec2& p, LayerMask layers = ground_layer);
+/// The same with every mover where `q` says (one value per mover).
+Gap gap_at(const Program& program, std::span<const double> q, const Vec2& p, LayerMask layers = ground_layer,
+           double reach = infinity);
 
 }  // namespace pinfield

@@ -1,0 +1,362 @@
+// The event loops inside a tick: one ball against the static field, and several balls and movers together.
+#include <algorithm>
+
+#include "engine/physics/state.h"
+
+namespace pinfield {
+
+namespace {
+
+constexpr double longest_slice = 4;  // ball radii: fast balls look for contacts a piece of their way at a time
+
+Motion motion_of(const WorldState& w, std::size_t i) {
+    if (w.work[i].frozen || w.balls[i].state != BallState::rolling) return {w.balls[i].position, {0, 0}, {0, 0}};
+    return {w.balls[i].position, w.balls[i].velocity, w.work[i].acceleration};
+}
+
+Contact contact_of(const WorldState& w, const FieldHit& hit, int mover) {
+    return {hit.normal, w.band.target(), hit.hollow, mover, hit.solid, hit.leaf, hit.piece};
+}
+
+/// The budget is spent: the ball loses the rest of the tick, never its distance.
+void freeze(WorldState& w, std::size_t i) {
+    w.work[i].frozen = true;
+    ++w.stats.capped_ticks;
+}
+
+}  // namespace
+
+void advance_ball(WorldState& w, std::size_t i, double dt) {
+    Ball& ball = w.balls[i];
+    BallWork& work = w.work[i];
+    if (dt <= 0) return;
+    const Motion path = motion_of(w, i);
+    if (w.recording)
+        w.paths.push_back({ball.id, w.start_time() + work.time, dt, path.position, path.velocity, path.acceleration});
+    ball.position = path.at(dt);
+    if (!path.is_straight()) ball.velocity = path.velocity_at(dt);
+    work.time += dt;
+}
+
+Slice sweep_slice(WorldState& w, std::size_t i, double rest, double room) {
+    const double r = w.physics.ball_radius;
+    const Motion path = motion_of(w, i);
+    const double speed = path.top_speed(rest), longest = longest_slice * r;
+    Slice slice;
+    slice.duration = speed * rest > longest ? longest / speed : rest;
+    const double travel = path.travel(slice.duration);
+    slice.sweep = w.prepared->fixed.sweep(path, slice.duration, r, w.band, w.balls[i].layer, std::max(room, travel), w.sweeps);
+    return slice;
+}
+
+bool advance_alone(WorldState& w, std::size_t i, double limit) {
+    const double h = w.physics.step;
+    Ball& ball = w.balls[i];
+    BallWork& work = w.work[i];
+    while (work.time < h) {
+        const double rest = h - work.time;
+        if (!w.options.sweep) {  // test hook
+            advance_ball(w, i, rest);
+            break;
+        }
+        const Slice slice = sweep_slice(w, i, rest, w.physics.ball_radius);
+        const FieldHit& hit = slice.sweep.hit;
+        const double dt = std::min({slice.duration, hit.time, slice.sweep.clear_until});
+        const double way = motion_of(w, i).travel(dt);
+        work.travelled += way;
+        if (work.travelled > limit) return false;
+        advance_ball(w, i, dt);
+        if (hit.time > slice.duration && slice.sweep.clear_until >= slice.duration) {
+            ball.free_path = std::min(slice.sweep.free_path - way, room_without_mechanisms(w, ball.position));
+            if (dt == rest) break;
+            continue;
+        }
+        if (hit.time > slice.duration || ++work.impacts > most_impacts) {
+            freeze(w, i);
+            break;
+        }
+        respond(w, i, contact_of(w, hit, -1));
+    }
+    work.time = h;
+    return true;
+}
+
+void plan_stop(WorldState& w, std::size_t m) {
+    const MoverState& s = w.movers[m];
+    MoverWork& work = w.mover_work[m];
+    work.stop_time = infinity;
+    if (work.stalled || (s.rate == 0 && s.acceleration == 0)) return;
+    const double up = first_zero(std::max(0.0, s.q_max - s.q), -s.rate, -s.acceleration);
+    const double down = first_zero(std::max(0.0, s.q - s.q_min), s.rate, s.acceleration);
+    work.stop_time = work.time + std::min(up, down);
+}
+
+void advance_mover(WorldState& w, std::size_t m, double time) {
+    MoverState& s = w.movers[m];
+    MoverWork& work = w.mover_work[m];
+    const double dt = time - work.time;
+    if (dt <= 0) return;
+    const bool still = work.stalled || (s.rate == 0 && s.acceleration == 0);
+    if (w.recording)
+        w.mover_paths.push_back({static_cast<int>(m), w.start_time() + work.time, dt, s.q, still ? 0.0 : s.rate, still ? 0.0 : s.acceleration});
+    if (!still) {
+        s.q = std::clamp(s.q + dt * s.rate + 0.5 * dt * dt * s.acceleration, s.q_min, s.q_max);
+        s.rate += dt * s.acceleration;
+    }
+    work.time = time;
+}
+
+namespace {
+
+/// The loop over balls and movers that may meet. Every ball and mover keeps its own time; only those that take part in an
+/// event are brought to it, and only plans that it changes are made again.
+class Together {
+public:
+    explicit Together(WorldState& w) : w_(w), h_(w.physics.step) {}
+
+    void run() {
+        for (std::size_t m = 0; m < w_.movers.size(); ++m) plan_stop(w_, m);
+        for (const int i : w_.together) {
+            plan_fixed(at(i));
+            plan_movers(at(i));
+        }
+        for (const int i : w_.together) plan_pairs(at(i));
+        while (step()) {}
+        for (const int i : w_.together) {
+            BallWork& work = w_.work[at(i)];
+            if (!work.frozen) advance_ball(w_, at(i), h_ - work.time);
+            else if (w_.recording && work.time < h_) w_.paths.push_back(standing(at(i)));
+            work.time = h_;
+        }
+        for (std::size_t m = 0; m < w_.movers.size(); ++m) advance_mover(w_, m, h_);
+    }
+
+private:
+    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    bool moves(std::size_t i) const { return w_.balls[i].state == BallState::rolling && !w_.work[i].frozen; }
+    PathSegment standing(std::size_t i) const {
+        const BallWork& work = w_.work[i];
+        return {w_.balls[i].id, w_.start_time() + work.time, h_ - work.time, w_.balls[i].position, {0, 0}, {0, 0}};
+    }
+
+    /// Runs the earliest event; false when none is left in the tick.
+    bool step() {
+        double earliest = h_;
+        int mover = -1, ball = -1;
+        for (std::size_t m = 0; m < w_.movers.size(); ++m)
+            if (w_.mover_work[m].stop_time < earliest) {
+                earliest = w_.mover_work[m].stop_time;
+                mover = static_cast<int>(m);
+            }
+        for (const int i : w_.together) {
+            const BallWork& work = w_.work[at(i)];
+            const double next = std::min({work.fixed_time, work.mover_time, work.pair_time});
+            if (next < earliest) {
+                earliest = next;
+                ball = i;
+                mover = -1;
+            }
+        }
+        if (ball >= 0) {
+            run_ball_event(at(ball));
+            return true;
+        }
+        if (mover >= 0) run_stop(at(mover));
+        return mover >= 0;
+    }
+
+    void run_stop(std::size_t m) {
+        MoverState& s = w_.movers[m];
+        const double time = w_.mover_work[m].stop_time;
+        advance_mover(w_, m, time);
+        s.q = s.rate > 0 || (s.rate == 0 && s.acceleration > 0) ? s.q_max : s.q_min;
+        const double speed = std::fabs(s.rate) * (s.rotates ? w_.program().movers[m].lever : 1.0);
+        hit_end_stop(w_.program(), static_cast<int>(m), s, h_);
+        if (++w_.mover_work[m].stops > most_impacts) stall(m);
+        if (speed > 10 * w_.physics.rest_speed) {
+            const Part& part = w_.program().parts[at(w_.program().movers[m].part)];
+            w_.events.push_back({w_.tick, w_.start_time() + time, EventKind::flipper_end, {}, part.origin, w_.program().movers[m].pivot, {0, 0}, speed});
+        }
+        replan_mover(m);
+    }
+
+    void stall(std::size_t m) {
+        w_.mover_work[m].stalled = true;
+        w_.movers[m].rate = w_.movers[m].acceleration = 0;
+    }
+
+    void replan_mover(std::size_t m) {
+        plan_stop(w_, m);
+        for (const int i : w_.together) plan_movers(at(i));
+    }
+
+    void run_ball_event(std::size_t i) {
+        BallWork& work = w_.work[i];
+        if (work.pair_time < work.fixed_time && work.pair_time < work.mover_time) return run_pair(i, at(work.partner));
+        const bool by_mover = work.mover_time < work.fixed_time;
+        const double time = by_mover ? work.mover_time : work.fixed_time;
+        advance_ball(w_, i, time - work.time);
+        work.time = time;
+        const FieldHit hit = by_mover ? work.mover_hit : work.fixed_hit;
+        const bool capped = by_mover ? work.mover_capped : work.fixed_capped;
+        if (hit.solid < 0 && !capped) return replan_ball(i);  // the end of a slice
+        if (by_mover) advance_mover(w_, at(work.mover), time);
+        if (by_mover && !moves(i)) {
+            meet_immovable(i, at(work.mover));
+            return;
+        }
+        if (capped || ++work.impacts > most_impacts) {
+            freeze(w_, i);
+            replan_ball(i);
+            return;
+        }
+        rates_.clear();
+        for (std::size_t m = 0; m < w_.movers.size(); ++m) {
+            if (near(i, m)) advance_mover(w_, m, time);
+            rates_.push_back(w_.movers[m].rate);
+        }
+        respond(w_, i, contact_of(w_, hit, by_mover ? work.mover : -1));
+        for (std::size_t m = 0; m < w_.movers.size(); ++m)
+            if (w_.movers[m].rate != rates_[m] || w_.mover_work[m].time == time) replan_mover(m);
+        replan_ball(i);
+    }
+
+    bool near(std::size_t i, std::size_t m) const {
+        const double reach = mover_reach(w_.program(), static_cast<int>(m), w_.movers[m]) + w_.physics.ball_radius + 2 * w_.band.tolerance;
+        return length(w_.balls[i].position - w_.program().movers[m].pivot) <= reach;
+    }
+
+    /// A mover meets a ball that does not move: one at rest wakes, one whose budget is spent stops the mover.
+    void meet_immovable(std::size_t i, std::size_t m) {
+        if (w_.balls[i].state == BallState::resting) {
+            w_.balls[i].state = BallState::rolling;
+            replan_ball(i);
+            return;
+        }
+        if (w_.movers[m].inverse_inertia == 0)
+            w_.events.push_back({w_.tick, w_.start_time() + w_.work[i].time, EventKind::jam, w_.balls[i].id,
+                                 w_.program().parts[at(w_.program().movers[m].part)].origin, w_.balls[i].position, {0, 0}, 0});
+        stall(m);
+        replan_mover(m);
+    }
+
+    void run_pair(std::size_t i, std::size_t j) {
+        const double time = w_.work[i].pair_time;
+        for (const std::size_t k : {i, j}) {
+            advance_ball(w_, k, time - w_.work[k].time);
+            w_.work[k].time = time;
+        }
+        if (++w_.work[i].impacts > most_impacts) freeze(w_, i);
+        if (++w_.work[j].impacts > most_impacts) freeze(w_, j);
+        for (const std::size_t k : {i, j})
+            if (w_.balls[k].state == BallState::resting) w_.balls[k].state = BallState::rolling;
+        respond_to_ball(w_, i, j);
+        replan_ball(i);
+        replan_ball(j);
+    }
+
+    void replan_ball(std::size_t i) {
+        plan_fixed(i);
+        plan_movers(i);
+        plan_pairs(i);
+        for (const int k : w_.together)
+            if (w_.work[at(k)].partner == static_cast<int>(i) && at(k) != i) plan_pairs(at(k));
+    }
+
+    void plan_fixed(std::size_t i) {
+        BallWork& work = w_.work[i];
+        work.fixed_time = infinity;
+        work.fixed_hit = {};
+        work.fixed_capped = false;
+        if (!moves(i) || work.time >= h_ || !w_.options.sweep) return;
+        const double rest = h_ - work.time;
+        const Slice slice = sweep_slice(w_, i, rest, 0);
+        work.fixed_hit = slice.sweep.hit;
+        work.fixed_capped = slice.sweep.clear_until < slice.duration;
+        if (work.fixed_capped) work.fixed_time = work.time + slice.sweep.clear_until;
+        else if (slice.sweep.hit.time <= slice.duration) work.fixed_time = work.time + slice.sweep.hit.time;
+        else if (slice.duration < rest) work.fixed_time = work.time + slice.duration;
+        w_.balls[i].free_path = 0;
+    }
+
+    void plan_movers(std::size_t i) {
+        BallWork& work = w_.work[i];
+        work.mover_time = infinity;
+        work.mover_hit = {};
+        work.mover_capped = false;
+        if (work.time >= h_ || !w_.options.sweep) return;
+        const Motion ball = motion_of(w_, i);
+        for (std::size_t m = 0; m < w_.movers.size(); ++m) {
+            MoverState state = w_.movers[m];
+            const MoverWork& motion = w_.mover_work[m];
+            if (motion.stalled) state.rate = state.acceleration = 0;
+            if (!moves(i) && state.rate == 0 && state.acceleration == 0) continue;
+            // Both from the later of their two times on: the ball and the mover go on as planned until then.
+            const double from = std::max(work.time, motion.time), until = std::min(h_, motion.stop_time);
+            if (from >= until) continue;
+            const double dt = from - motion.time;
+            state.q += dt * state.rate + 0.5 * dt * dt * state.acceleration;
+            state.rate += dt * state.acceleration;
+            const MoverHit found = sweep_mover(w_.prepared->movers[m], w_.program().movers[m], state, ball.from(from - work.time),
+                                               until - from, w_.physics.ball_radius, w_.band, w_.balls[i].layer, w_.sweeps);
+            const bool capped = found.clear_until < until - from;
+            const double time = from + (capped ? found.clear_until : found.hit.time);
+            if (time >= work.mover_time || !(capped || found.hit.time <= until - from)) continue;
+            work.mover_time = time;
+            work.mover_hit = found.hit;
+            work.mover_capped = capped;
+            work.mover = static_cast<int>(m);
+        }
+    }
+
+    /// First meeting of two balls: their relative motion against a disc of twice the radius.
+    double meeting(std::size_t i, std::size_t j) {
+        const BallWork &a = w_.work[i], &b = w_.work[j];
+        const double from = std::max(a.time, b.time);
+        if (from >= h_) return infinity;
+        const Motion p = motion_of(w_, i).from(from - a.time), q = motion_of(w_, j).from(from - b.time);
+        const Motion relative{p.position - q.position, p.velocity - q.velocity, p.acceleration - q.acceleration};
+        if (relative.velocity == Vec2(0, 0) && relative.is_straight()) return infinity;
+        SweepPiece point;
+        point.corner_b = false;
+        point.turn = 1;
+        point.full = true;
+        point.radius = w_.physics.ball_radius;
+        point.corner_a = false;
+        int evaluations = 0;
+        return from + sweep_piece(point, relative, h_ - from, w_.physics.ball_radius, w_.band, evaluations).time;
+    }
+
+    void plan_pairs(std::size_t i) {
+        BallWork& work = w_.work[i];
+        work.pair_time = infinity;
+        work.partner = -1;
+        if (!w_.options.balls_collide) return;
+        for (const int k : w_.together) {
+            const std::size_t j = at(k);
+            if (j == i || (!moves(i) && !moves(j))) continue;
+            const double time = meeting(std::min(i, j), std::max(i, j));
+            if (time < work.pair_time) {
+                work.pair_time = time;
+                work.partner = k;
+            }
+            if (time < w_.work[j].pair_time) {
+                w_.work[j].pair_time = time;
+                w_.work[j].partner = static_cast<int>(i);
+            }
+        }
+    }
+
+    WorldState& w_;
+    double h_;
+    std::vector<double> rates_;
+};
+
+}  // namespace
+
+void advance_together(WorldState& w) {
+    if (w.together.empty() && w.movers.empty()) return;
+    Together(w).run();
+}
+
+}  // namespace pinfield

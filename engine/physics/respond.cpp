@@ -1,0 +1,299 @@
+// Impulses: what a ball and a surface, or two balls, do to each other's velocities when they meet.
+// Restitution and the Coulomb cone as in Mirtich, "Impulse-based dynamic simulation of rigid body systems" (1996), for a disc in
+// the plane; contacts at one instant are resolved one after the other in the order of their ids until none closes.
+#include <algorithm>
+
+#include "engine/core/rng.h"
+#include "engine/core/trig.h"
+#include "engine/physics/state.h"
+
+namespace pinfield {
+
+namespace {
+
+constexpr int most_rounds = 32;      // of resolving simultaneous contacts
+constexpr int hops_per_tick = 16;    // of a ball that follows a hollow or an accelerating surface
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// What the surface of a contact is made of, and to whom it belongs.
+struct Surface {
+    const MaterialRecord* material = nullptr;
+    const Part* part = nullptr;
+    NodeId node;
+};
+
+Surface surface_of(const WorldState& w, const Contact& c) {
+    const Program& program = w.program();
+    const Field& field = c.mover < 0 ? program.fixed : program.movers[at(c.mover)].field;
+    Surface s;
+    const Solid& solid = field.solids[at(c.solid)];
+    const int part = c.mover < 0 ? solid.part : program.movers[at(c.mover)].part;
+    const int op = c.leaf >= 0 ? c.leaf : solid.root;
+    s.material = &program.materials[at(field.ops[at(op)].material)];
+    if (part >= 0) s.part = &program.parts[at(part)];
+    s.node = s.part ? s.part->origin : field.ops[at(op)].origin;
+    return s;
+}
+
+/// How a surface moves at the contact, and how it yields to an impulse.
+struct Motive {
+    Vec2 velocity{0, 0};
+    double acceleration = 0;    ///< along the normal, of the drive
+    double lever_normal = 0, lever_tangent = 0;  ///< change of the surface's velocity per change of rate
+    double yielding = 0;        ///< inverse inertia
+};
+
+Motive motive_of(const WorldState& w, const Contact& c, const Vec2& point, const Vec2& tangent) {
+    Motive m;
+    if (c.mover < 0) return m;
+    const Mover& mover = w.program().movers[at(c.mover)];
+    const MoverState& state = w.movers[at(c.mover)];
+    m.velocity = velocity_of(mover, state, point);
+    const Vec2 per_rate = state.rotates ? Vec2(mover.handedness * perpendicular(point - mover.pivot)) : state.axis;
+    m.lever_normal = dot(per_rate, c.normal);
+    m.lever_tangent = dot(per_rate, tangent);
+    m.acceleration = state.acceleration * m.lever_normal;
+    m.yielding = w.mover_work[at(c.mover)].stalled ? 0.0 : state.inverse_inertia;
+    return m;
+}
+
+/// Can an end-stop take a change of the mover's rate with this sign, so that the mover does not yield?
+bool stop_holds(const MoverState& s, double change) {
+    return (s.q >= s.q_max && s.rate + change > 0) || (s.q <= s.q_min && s.rate + change < 0);
+}
+
+struct Impact {
+    double approach = 0;     ///< normal speed, m/s
+    double restitution = 0;
+    double hop = 0;          ///< normal speed it leaves with instead, m/s, to follow a surface that comes after it
+    bool collapsed = false;
+};
+
+/// Does the ball still bounce? A train of bounces under the pressing acceleration p lasts 2 u / (p (1 - e)) altogether, so when
+/// that is less than what is left of the tick all of it ends in there (exactly: infinitely many bounces).
+Impact judge(const WorldState& w, const BallWork& work, const Contact& c, const MaterialRecord& material,
+             const Motive& surface, double closing, double sliding) {
+    Impact impact;
+    const double u = std::max(0.0, closing), h = w.physics.step;
+    const double e0 = w.options.restitution ? *w.options.restitution : material.restitution;
+    const double e = w.options.restitution ? e0 : e0 / (1 + material.falloff * u);
+    const double weight = std::max(0.0, -dot(c.normal, w.physics.gravity));
+    const double bend = c.hollow > w.physics.ball_radius ? sliding * sliding / (c.hollow - w.physics.ball_radius) : 0.0;
+    const double pushed = std::max(0.0, surface.acceleration);
+    const double press = weight + bend + pushed, left = h - work.time;
+    const bool euler = w.physics.integrator == Integrator::symplectic_euler;
+    const double rest = std::max(w.physics.rest_speed, weight * h * (euler ? 1 + 1e-9 : 0.5 * (1 - e)));
+    impact.approach = u;
+    impact.collapsed = u <= 1e-6 * w.physics.rest_speed || (e < 1 && (u <= rest || 2 * u <= press * (1 - e) * left));
+    impact.restitution = impact.collapsed ? 0.0 : e;
+    if (impact.collapsed) impact.hop = (bend + pushed) * 0.5 * std::min(left, h / hops_per_tick);
+    return impact;
+}
+
+void scatter(const WorldState& w, Ball& ball, const Contact& c, const MaterialRecord& material, int draw) {
+    if (material.scatter_degrees <= 0 || w.options.restitution) return;
+    CounterRng rng(w.options.seed, static_cast<std::uint64_t>(w.tick));
+    rng.set_counter(std::uint64_t{ball.id.value} * 1024 + static_cast<std::uint64_t>(draw));
+    const SineCosine turn = sine_cosine_degrees(rng.in(-material.scatter_degrees, material.scatter_degrees));
+    const Vec2 v{turn.cosine * ball.velocity.x() - turn.sine * ball.velocity.y(),
+                 turn.sine * ball.velocity.x() + turn.cosine * ball.velocity.y()};
+    if (dot(v, c.normal) > 0) ball.velocity = v;
+}
+
+/// Changes velocities at one contact. True when the contact was closing.
+bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
+    Ball& ball = w.balls[i];
+    BallWork& work = w.work[i];
+    const double r = w.physics.ball_radius;
+    const Vec2 n = c.normal, t = perpendicular(n), point = ball.position - r * n;
+    Motive surface = motive_of(w, c, point, t);
+    const Vec2 relative = ball.velocity - surface.velocity;
+    const double normal = dot(relative, n), slip = dot(relative, t) - r * ball.spin;
+    if (normal >= 0 && !forced) return false;
+    if (!forced && -normal <= 1e-13 * (length(ball.velocity) + length(surface.velocity))) return false;
+    const Surface of = surface_of(w, c);
+    const MaterialRecord& material = *of.material;
+    const Impact impact = judge(w, work, c, material, surface, -normal, dot(relative, t));
+    c.collapsed = impact.collapsed;
+    ++w.stats.impacts;
+
+    // Along the normal, in units of the ball's mass.
+    const double mass = w.physics.ball_mass;
+    double gained = impact.approach * (1 + impact.restitution) + impact.hop;
+    if (normal > 0) gained = std::max(0.0, impact.hop - normal);
+    if (surface.yielding > 0) {
+        MoverState& state = w.movers[at(c.mover)];
+        const double share = mass * surface.lever_normal * surface.lever_normal * surface.yielding;
+        const double change = -(gained / (1 + share)) * mass * surface.lever_normal * surface.yielding;
+        if (stop_holds(state, change)) {
+            surface.yielding = 0;
+        } else {
+            gained /= 1 + share;
+            state.rate += change;
+        }
+    }
+    const double speed_before = length(ball.velocity);
+    ball.velocity += gained * n;
+
+    // Following a hollow in contact is a polygon of short hops; its corners turn the velocity without slowing it.
+    const bool follows = impact.collapsed && c.hollow > 0 && c.mover < 0 && work.slide_tick >= w.tick - 1 && c.same_surface(work.slide);
+    if (follows && impact.hop > 0) {
+        const double along = dot(ball.velocity, t), kept = speed_before * speed_before - impact.hop * impact.hop;
+        if (kept > along * along) ball.velocity = impact.hop * n + (along < 0 ? -std::sqrt(kept) : std::sqrt(kept)) * t;
+    }
+
+    // Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre.
+    const bool frictionless = w.options.restitution.has_value();
+    const double tangential = frictionless ? 1.0 : impact.collapsed && material.tangential < 1 ? 0.0 : material.tangential;
+    if (tangential != 1 && slip != 0) {
+        const double share = mass * surface.lever_tangent * surface.lever_tangent * surface.yielding;
+        const double wanted = -(1 - tangential) * slip / (3 + share), cone = material.friction * gained;
+        const double pull = std::clamp(wanted, -cone, cone);
+        ball.velocity += pull * t;
+        ball.spin -= 2 * pull / r;
+        if (surface.yielding > 0) w.movers[at(c.mover)].rate -= pull * mass * surface.lever_tangent * surface.yielding;
+    }
+    if (c.collapsed) {
+        work.slide = c;
+        work.slide_tick = w.tick;
+    } else {
+        scatter(w, ball, c, material, work.impacts);
+    }
+    if (impact.collapsed && impact.approach <= w.physics.rest_speed) return true;
+    const double time = w.start_time() + work.time;
+    w.events.push_back({w.tick, time, EventKind::hit, ball.id, of.node, point, n, impact.approach});
+    const double kick = of.part && !w.options.restitution ? kick_of(*of.part, impact.approach) : 0.0;
+    if (kick > 0) {
+        ball.velocity += kick * n;
+        w.events.push_back({w.tick, time, EventKind::kick, ball.id, of.node, point, n, kick});
+    }
+    return true;
+}
+
+/// Everything within the skin, in order of ids, `first` (which the sweep reported) included.
+void gather(WorldState& w, std::size_t i, const Contact& first) {
+    const Ball& ball = w.balls[i];
+    const double r = w.physics.ball_radius, skin = w.band.tolerance;
+    w.contacts.clear();
+    const auto take = [&](int mover, const Pose& pose) {
+        for (const Touch& touch : w.touches) {
+            const Vec2 normal = mover < 0 ? touch.normal : pose.to_world(touch.normal);
+            w.contacts.push_back({normal, touch.gap, touch.hollow, mover, touch.solid, touch.leaf, touch.piece});
+        }
+        w.touches.clear();
+    };
+    w.prepared->fixed.touching(ball.position, r, skin, ball.layer, w.touches);
+    take(-1, {});
+    for (std::size_t m = 0; m < w.movers.size(); ++m) {
+        const Mover& mover = w.program().movers[m];
+        const MoverState& state = w.movers[m];
+        if (length(ball.position - mover.pivot) > mover_reach(w.program(), static_cast<int>(m), state) + r + skin) continue;
+        MoverState now = state;  // the surface as it stands at the ball's time
+        const double dt = w.work[i].time - w.mover_work[m].time;
+        if (!w.mover_work[m].stalled) now.q += dt * state.rate + 0.5 * dt * dt * state.acceleration;
+        const Pose pose = pose_of(mover, state.rotates, state.axis, now.q);
+        w.prepared->movers[m].touching(pose.place_from_world(ball.position), r, skin, ball.layer, w.touches);
+        take(static_cast<int>(m), pose);
+    }
+    for (Contact& c : w.contacts)
+        if (c.same_surface(first)) {
+            c.normal = first.normal;
+            return;
+        }
+    w.contacts.push_back(first);
+    std::stable_sort(w.contacts.begin(), w.contacts.end(), [](const Contact& a, const Contact& b) {
+        if (a.mover != b.mover) return a.mover < b.mover;
+        return a.solid != b.solid ? a.solid < b.solid : a.piece < b.piece;
+    });
+}
+
+/// A ball in a wedge of two surfaces on which it no longer bounces stands relative to both: v.n1 = s1 and v.n2 = s2.
+bool settle_in_wedge(WorldState& w, std::size_t i) {
+    const Contact* first = nullptr;
+    Ball& ball = w.balls[i];
+    for (const Contact& c : w.contacts) {
+        if (!c.collapsed) continue;
+        if (!first) { first = &c; continue; }
+        const double wedge = cross(first->normal, c.normal);
+        if (std::fabs(wedge) < 1e-9) continue;
+        const Vec2 point = ball.position - w.physics.ball_radius * c.normal;
+        const Vec2 other = ball.position - w.physics.ball_radius * first->normal;
+        const double s1 = dot(first->normal, motive_of(w, *first, other, {0, 0}).velocity);
+        const double s2 = dot(c.normal, motive_of(w, c, point, {0, 0}).velocity);
+        ball.velocity = Vec2(s1 * c.normal.y() - s2 * first->normal.y(), s2 * first->normal.x() - s1 * c.normal.x()) / wedge;
+        return true;
+    }
+    return false;
+}
+
+/// In contact, gravity is taken up by the surfaces the ball stays on: what is left of it lies in the cone they leave free.
+void constrain(WorldState& w, std::size_t i) {
+    if (w.physics.integrator == Integrator::symplectic_euler) return;
+    Vec2 a = w.physics.gravity;
+    for (const Contact& c : w.contacts) {
+        if (!c.collapsed || c.mover >= 0) continue;
+        const double into = dot(c.normal, a);
+        if (into < 0) a -= into * c.normal;
+    }
+    for (const Contact& c : w.contacts)
+        if (c.collapsed && c.mover < 0 && dot(c.normal, a) < -1e-12 * length(w.physics.gravity)) a = {0, 0};
+    w.work[i].acceleration = a;
+}
+
+/// Rounding may eat the gap of a ball that stays in contact: put it back to half the tolerance where nothing is in the way.
+void restore_gap(WorldState& w, std::size_t i) {
+    for (const Contact& c : w.contacts) {
+        if (!c.collapsed || c.gap >= 0.25 * w.band.tolerance) continue;
+        const bool room = std::all_of(w.contacts.begin(), w.contacts.end(),
+                                      [&](const Contact& other) { return dot(other.normal, c.normal) >= 0; });
+        if (!room) continue;
+        w.balls[i].position += (w.band.target() - c.gap) * c.normal;
+        return;
+    }
+}
+
+}  // namespace
+
+void respond(WorldState& w, std::size_t i, const Contact& first) {
+    gather(w, i, first);
+    for (Contact& c : w.contacts)
+        if (c.same_surface(first)) resolve(w, i, c, true);
+    bool closing = true;
+    for (int round = 0; closing && round < most_rounds; ++round) {
+        closing = false;
+        for (Contact& c : w.contacts)
+            if (resolve(w, i, c, false)) closing = true;
+        if (closing && round >= 3 && settle_in_wedge(w, i)) break;
+    }
+    constrain(w, i);
+    restore_gap(w, i);
+    w.balls[i].free_path = 0;
+}
+
+void respond_to_ball(WorldState& w, std::size_t i, std::size_t j) {
+    Ball &a = w.balls[i], &b = w.balls[j];
+    const Vec2 apart = a.position - b.position;
+    const double distance = length(apart);
+    const Vec2 n = distance > 0 ? Vec2(apart / distance) : Vec2(0, 1);
+    const double closing = -dot(n, a.velocity - b.velocity);
+    if (closing <= 0) return;
+    const double e0 = w.options.restitution ? *w.options.restitution : w.physics.ball_restitution;
+    const double e = e0 < 1 && closing <= w.physics.rest_speed ? 0.0 : e0;
+    const double gained = (1 + e) * closing;
+    const bool a_yields = !w.work[i].frozen, b_yields = !w.work[j].frozen;
+    if (a_yields && b_yields) {
+        a.velocity += (0.5 * gained) * n;
+        b.velocity -= (0.5 * gained) * n;
+    } else if (a_yields) {
+        a.velocity += gained * n;
+    } else if (b_yields) {
+        b.velocity -= gained * n;
+    }
+    ++w.stats.impacts;
+    a.free_path = b.free_path = 0;
+    if (closing > w.physics.rest_speed)
+        w.events.push_back({w.tick, w.start_time() + w.work[i].time, EventKind::ball_hit, a.id, {}, b.position + w.physics.ball_radius * n, n, closing});
+}
+
+}  // namespace pinfield

@@ -1,0 +1,137 @@
+// What a World holds, for the files that run its tick. Not part of the layer's interface.
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "engine/physics/mechanisms/mechanism.h"
+#include "engine/physics/sweep_field.h"
+#include "engine/physics/sweep_mover.h"
+#include "engine/physics/world.h"
+
+namespace pinfield {
+
+/// A surface that a ball touches: of the static field, or of a mover.
+struct Contact {
+    Vec2 normal{0, 0};    ///< unit, world, out of the surface
+    double gap = 0;
+    double hollow = 0;
+    int mover = -1;       ///< -1: the static field
+    int solid = -1, leaf = -1, piece = -1;
+    bool collapsed = false;  ///< it no longer bounces: the ball stays on it
+
+    bool same_surface(const Contact& c) const { return mover == c.mover && solid == c.solid && piece == c.piece; }
+};
+
+enum class NextKind : unsigned char { none, fixed, mover, ball, slice };
+
+/// A ball's place in the tick that is being run.
+struct BallWork {
+    double time = 0;             ///< seconds into the tick that its position and velocity stand for
+    Vec2 acceleration{0, 0};     ///< of its path
+    int impacts = 0;
+    bool frozen = false;         ///< its budget is spent: it stands still until the next tick
+    double travelled = 0;        ///< metres, since the tick began
+    Contact slide;               ///< the surface on which it last stopped bouncing
+    std::int64_t slide_tick = -2;
+    std::int64_t last_moved = 0; ///< tick in which its bits last changed
+    bool embedded = false;       ///< an edit put it into a solid: it is being let out
+
+    // Its earliest event, for balls whose ticks are run together.
+    NextKind next = NextKind::none;
+    double next_time = infinity;
+    FieldHit fixed_hit, mover_hit;
+    double fixed_time = infinity, mover_time = infinity, pair_time = infinity;
+    bool fixed_capped = false, mover_capped = false;
+    int mover = -1, partner = -1;
+};
+
+/// A mover's place in the tick that is being run; its MoverState stands for `time`.
+struct MoverWork {
+    double time = 0;
+    double stop_time = infinity;  ///< when it meets its end-stop
+    int stops = 0;
+    bool stalled = false;         ///< a ball that cannot yield is in its way: it stands still until the next tick
+};
+
+/// A Program made ready for sweeping; shared by snapshots.
+struct PreparedProgram {
+    explicit PreparedProgram(ProgramPtr from);
+    ProgramPtr program;
+    SweptField fixed;
+    std::vector<SweptField> movers;
+};
+
+struct InputEdge {
+    int input = 0;
+    bool pressed = false;
+};
+
+struct WorldState {
+    std::shared_ptr<const PreparedProgram> prepared;
+    WorldOptions options;
+    PhysicsRecord physics;  ///< the program's, with the options' overrides
+    ContactBand band;
+    std::int64_t tick = 0;
+    std::uint32_t next_ball = 1;
+    std::vector<Ball> balls;
+    std::vector<BallWork> work;
+    std::vector<MoverState> movers;
+    std::vector<MoverWork> mover_work;
+    std::vector<bool> pressed;
+    std::vector<InputEdge> edges;
+    std::vector<Event> events;
+    WorldStats stats;
+    SweepStats sweeps;
+    bool recording = false;
+    std::vector<PathSegment> paths;
+    std::vector<MoverSegment> mover_paths;
+
+    // Scratch, kept so that the steady state allocates nothing.
+    std::vector<Contact> contacts;
+    std::vector<Touch> touches;
+    std::vector<int> together;
+    std::vector<Ball> balls_before;
+    std::vector<BallWork> work_before;
+
+    const Program& program() const { return *prepared->program; }
+    double start_time() const { return static_cast<double>(tick) * physics.step; }
+    bool in_play(std::size_t ball) const {
+        return balls[ball].state == BallState::rolling || balls[ball].state == BallState::resting;
+    }
+};
+
+inline constexpr int most_impacts = 256;  ///< of one ball in one tick
+
+/// Runs one tick.
+void run_tick(WorldState& w);
+
+/// Ball i meets a surface now (its state stands for its work's time): gathers everything it touches and resolves impulses.
+void respond(WorldState& w, std::size_t i, const Contact& first);
+/// Balls i and j meet.
+void respond_to_ball(WorldState& w, std::size_t i, std::size_t j);
+/// Moves ball i along its path by dt.
+void advance_ball(WorldState& w, std::size_t i, double dt);
+/// Moves mover m along its motion to `time` of the tick.
+void advance_mover(WorldState& w, std::size_t m, double time);
+/// Finds the end-stop that mover m will meet.
+void plan_stop(WorldState& w, std::size_t m);
+
+/// The part of the ball's free path that movers and sensors leave: distance to the nearest place where they may be.
+double room_without_mechanisms(const WorldState& w, const Vec2& centre);
+
+/// Runs the rest of the tick for one ball that meets nothing but the static field. False, with the ball anywhere, when it
+/// would travel farther than `limit`.
+bool advance_alone(WorldState& w, std::size_t i, double limit);
+/// Runs the tick for the balls in w.together and all movers, events in order of time.
+void advance_together(WorldState& w);
+/// One tick of a ball that sits in a solid after an edit: out along the gradient at bounded speed.
+void let_out(WorldState& w, std::size_t i);
+
+/// One slice of a sweep against the static field from the ball's present place: at most `rest` seconds, less for fast balls.
+struct Slice {
+    double duration = 0;
+    FieldSweep sweep;
+};
+Slice sweep_slice(WorldState& w, std::size_t i, double rest, double room);
+
+}  // namespace pinfield

@@ -1,0 +1,60 @@
+// Time of impact of a ball against a whole Field standing still: the static table, or a mover seen from its own frame.
+#pragma once
+#include <vector>
+
+#include "engine/physics/sweep_pieces.h"
+
+namespace pinfield {
+
+/// What a ball meets.
+struct FieldHit {
+    double time = infinity;   ///< of the contact; when none, infinity
+    Vec2 normal{0, 0};        ///< unit, out of the solid
+    double hollow = 0;        ///< radius of a hollow arc met from inside, else 0
+    int solid = -1, leaf = -1;
+    int piece = -1;           ///< of a lowered solid
+};
+
+struct FieldSweep {
+    FieldHit hit;
+    double clear_until = infinity;  ///< < duration when the budget ran out before a hit was certified
+    double free_path = 0;           ///< metres from the start that need no further query; 0 unless asked for
+};
+
+/// A surface within reach of a ball.
+struct Touch {
+    Vec2 normal{0, 0};
+    double gap = 0;  ///< metres between ball and surface
+    double hollow = 0;
+    int solid = -1, leaf = -1, piece = -1;
+};
+
+struct SweepStats {
+    std::int64_t sweeps = 0, capped = 0, evaluations = 0;
+    int most_evaluations = 0;
+};
+
+/// A Field made ready for sweeping. Keeps a pointer to it.
+class SweptField {
+public:
+    explicit SweptField(const Field& field);
+
+    /// First contact within `duration`. `reach` is how far around the path it looks (at least the ball's way): the free path
+    /// it can grant.
+    FieldSweep sweep(const Motion& motion, double duration, double radius, const ContactBand& band, LayerMask layers,
+                     double reach, SweepStats& stats) const;
+    /// All surfaces whose gap to a ball at p is at most `skin`, in order of solid and piece.
+    void touching(const Vec2& p, double radius, double skin, LayerMask layers, std::vector<Touch>& out) const;
+    const Field& field() const { return *field_; }
+    const std::vector<SweepPiece>& pieces() const { return pieces_; }
+
+private:
+    bool in_layers(int solid, LayerMask layers) const {
+        return (field_->solids[static_cast<std::size_t>(solid)].layers & layers) != 0;
+    }
+
+    const Field* field_;
+    std::vector<SweepPiece> pieces_;
+};
+
+}  // namespace pinfield

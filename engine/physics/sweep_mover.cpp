@@ -1,0 +1,188 @@
+// A part that stands or slides is met in its own frame by the sweep of a field at rest. A part that turns is met by
+// conservative advancement with a second-order bound (Mirtich 1996; Tang, Kim, Manocha 2009 for the motion bounds): in its frame
+// the ball's acceleration is at most A, so the gap to a tangent plane stays above gap + (n.x') t - A t^2 / 2.
+#include "engine/physics/sweep_mover.h"
+
+#include <algorithm>
+
+#include "engine/core/trig.h"
+#include "engine/program/evaluate.h"
+
+namespace pinfield {
+
+namespace {
+
+constexpr int most_evaluations = 64;
+constexpr double largest_turn = pi / 4;
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// What a rotating part looks like from a point in its frame: the nearest surface, and a certified time without contact.
+struct View {
+    FieldHit hit;              ///< nearest of the surfaces that are reached and closing; none: solid < 0
+    double gap = infinity;     ///< to the nearest of all
+    double closing = 0;        ///< rate of that gap
+    double safe_time = infinity;
+};
+
+struct Rotation {
+    const SweptField& swept;
+    const Mover& mover;
+    double angle, rate, acceleration;  ///< counter-clockwise in the world
+
+    double angle_at(double t) const { return angle + rate * t + 0.5 * acceleration * t * t; }
+    Pose pose_at(double t) const {
+        const SineCosine turn = sine_cosine(angle_at(t));
+        return {mover.cosine * turn.cosine - mover.sine * turn.sine, mover.sine * turn.cosine + mover.cosine * turn.sine, mover.pivot};
+    }
+    double top_rate(double t, double end) const {
+        return std::max(std::fabs(rate + acceleration * t), std::fabs(rate + acceleration * end));
+    }
+};
+
+/// Bounds on the motion of the ball relative to the part over some stretch of time.
+struct Bounds {
+    double speed = 0, acceleration = 0;
+};
+
+Bounds bounds_over(const Rotation& r, const Motion& ball, double t, double end) {
+    const Motion from = ball.from(t);
+    const double turn = r.top_rate(t, end), speed = from.top_speed(end - t);
+    const double lever = length(from.position - r.mover.pivot) + from.travel(end - t);
+    return {speed + turn * std::min(lever, r.mover.lever),
+            length(ball.acceleration) + 2 * turn * speed + turn * turn * lever + std::fabs(r.acceleration) * lever};
+}
+
+double plane_step(double spare, double closing, double acceleration) {
+    return spare < 0 && closing <= 0 ? 0.0 : first_zero(std::max(spare, 0.0), closing, -acceleration);
+}
+
+/// From the place x in the part's frame, moving with velocity v there, wanting to keep `level` between ball and part.
+/// A surface counts as reached at `level` + `accepted`.
+View look(const Rotation& r, const Vec2& x, const Vec2& v, const Bounds& bounds, double radius, double level, double accepted,
+          LayerMask layers) {
+    View view;
+    double reached = level + accepted;
+    const Field& field = r.swept.field();
+    const auto consider = [&](double distance, double certified, const FieldHit& hit) {
+        const double gap = distance - radius, closing = dot(hit.normal, v);
+        view.safe_time = std::min(view.safe_time, certified);
+        if (gap <= reached && closing <= 0) {
+            reached = gap;
+            view.hit = hit;
+        }
+        if (gap < view.gap) {
+            view.gap = gap;
+            view.closing = closing;
+        }
+    };
+    const auto lipschitz = [&](double distance) {
+        const double spare = distance - radius - level;
+        return spare <= 0 ? 0.0 : bounds.speed > 0 ? spare / bounds.speed : infinity;
+    };
+    for (std::size_t i = 0; i < r.swept.pieces().size(); ++i) {
+        const SweepPiece& piece = r.swept.pieces()[i];
+        const Solid& solid = field.solids[at(piece.solid)];
+        if ((solid.layers & layers) == 0) continue;
+        const Foot foot = nearest_on(piece, x);
+        double certified = lipschitz(foot.distance);
+        if (piece.turn == 0 || field.ops[at(solid.root)].kernels->convex) {
+            certified = std::max(certified, plane_step(foot.distance - radius - level, dot(foot.normal, v), bounds.acceleration));
+        } else if (piece.turn > 0) {  // an arc is part of a disc, which is convex
+            const Vec2 out = x - piece.centre;
+            const double far = length(out);
+            if (far > piece.radius)
+                certified = std::max(certified, plane_step(far - piece.radius - radius - level, dot(out, v) / far, bounds.acceleration));
+        }
+        consider(foot.distance, certified, {0, foot.normal, foot.hollow, piece.solid, piece.leaf, static_cast<int>(i)});
+    }
+    for (const int solid : field.tree_solids) {
+        if ((field.solids[at(solid)].layers & layers) == 0) continue;
+        const Nearest n = nearest_of_solid(field, solid, x);
+        double certified = lipschitz(n.distance);
+        if (n.certified && field.ops[at(field.solids[at(solid)].root)].kernels->convex)
+            certified = std::max(certified, plane_step(n.distance - radius - level, dot(n.gradient, v), bounds.acceleration));
+        consider(n.distance, certified, {0, n.gradient, 0, solid, n.leaf, -1});
+    }
+    return view;
+}
+
+MoverHit sweep_rotating(const Rotation& r, const Motion& ball, double duration, double radius, const ContactBand& band,
+                        LayerMask layers, SweepStats& stats) {
+    MoverHit out;
+    double t = 0, end = 0, level = band.target(), accepted = band.accepted();
+    Bounds bounds;
+    int evaluations = 0;
+    ++stats.sweeps;
+    while (evaluations < most_evaluations) {
+        if (t >= end) {  // the next stretch that turns by less than the cap
+            const double turn = r.top_rate(t, duration);
+            end = turn * (duration - t) > largest_turn ? t + largest_turn / turn : duration;
+            bounds = bounds_over(r, ball, t, end);
+        }
+        const Pose pose = r.pose_at(t);
+        const Vec2 arm = ball.at(t) - r.mover.pivot;
+        const Vec2 x = pose.from_world(arm);
+        const Vec2 v = pose.from_world(ball.velocity_at(t) - (r.rate + r.acceleration * t) * perpendicular(arm));
+        View view = look(r, x, v, bounds, radius, level, accepted, layers);
+        if (evaluations == 0 && view.gap <= band.touching()) {
+            level = view.closing > 0 ? std::min(level, view.gap) : band.floor_below(view.gap);
+            accepted = 0.0625 * band.tolerance;
+            view = look(r, x, v, bounds, radius, level, accepted, layers);
+        }
+        ++evaluations;
+        if (view.hit.solid >= 0) {
+            out.hit = view.hit;
+            out.hit.time = t;
+            out.hit.normal = pose.to_world(view.hit.normal);
+            break;
+        }
+        t = std::min(t + view.safe_time, end);
+        if (t >= duration) break;
+    }
+    stats.evaluations += evaluations;
+    stats.most_evaluations = std::max(stats.most_evaluations, evaluations);
+    if (evaluations == most_evaluations && out.hit.time == infinity && t < duration) {
+        out.clear_until = t;
+        ++stats.capped;
+    }
+    return out;
+}
+
+}  // namespace
+
+Pose pose_of(const Mover& mover, bool rotates, const Vec2& axis, double q) {
+    if (!rotates) return {mover.cosine, mover.sine, mover.pivot + q * axis};
+    const SineCosine turn = sine_cosine(mover.handedness * q);
+    return {mover.cosine * turn.cosine - mover.sine * turn.sine, mover.sine * turn.cosine + mover.cosine * turn.sine, mover.pivot};
+}
+
+Vec2 velocity_of(const Mover& mover, const MoverState& state, const Vec2& p) {
+    if (!state.rotates) return state.rate * state.axis;
+    return (mover.handedness * state.rate) * perpendicular(p - mover.pivot);
+}
+
+MoverHit sweep_mover(const SweptField& swept, const Mover& mover, const MoverState& state, const Motion& ball, double duration,
+                     double radius, const ContactBand& band, LayerMask layers, SweepStats& stats) {
+    const double swing = state.rotates ? 0.0 : std::fabs(state.q) + std::fabs(state.rate) * duration;
+    const double gap = length(ball.position - mover.pivot) - mover.lever - radius - swing;
+    if (gap > ball.travel(duration) + band.tolerance) return {};
+    const bool still = state.rate == 0 && state.acceleration == 0;
+    if (state.rotates && !still) {
+        const double hand = mover.handedness;
+        return sweep_rotating({swept, mover, hand * state.q, hand * state.rate, hand * state.acceleration}, ball, duration,
+                              radius, band, layers, stats);
+    }
+    const Pose pose = pose_of(mover, state.rotates, state.axis, state.q);
+    Motion seen{pose.place_from_world(ball.position), pose.from_world(ball.velocity), pose.from_world(ball.acceleration)};
+    if (!state.rotates) {
+        seen.velocity -= pose.from_world(state.rate * state.axis);
+        seen.acceleration -= pose.from_world(state.acceleration * state.axis);
+    }
+    const FieldSweep at_rest = swept.sweep(seen, duration, radius, band, layers, 2 * band.tolerance, stats);
+    MoverHit out{at_rest.hit, at_rest.clear_until};
+    if (out.hit.time < infinity) out.hit.normal = pose.to_world(at_rest.hit.normal);
+    return out;
+}
+
+}  // namespace pinfield

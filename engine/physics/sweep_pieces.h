@@ -1,0 +1,46 @@
+// Time of impact of a moving ball against the boundary pieces of lowered solids: the ball's centre against the curve at
+// distance `radius` from a segment, an arc, or a corner.
+#pragma once
+#include <vector>
+
+#include "engine/physics/motion.h"
+#include "engine/program/program.h"
+
+namespace pinfield {
+
+/// A boundary piece with what every sweep needs of it worked out.
+struct SweepPiece {
+    Vec2 a{0, 0}, b{0, 0};
+    Vec2 along{1, 0}, normal{0, 1};  ///< segments: unit, from a to b, and out of the solid
+    Vec2 centre{0, 0};
+    double radius = 0, length = 0;   ///< of an arc; of a segment
+    int turn = 0;                    ///< 0 segment, > 0 arc with the solid on the centre's side, < 0 hollow arc
+    bool reflex = false, full = false;
+    bool corner_a = true, corner_b = true;  ///< a ball can touch that end alone: a convex corner, or a loose end
+    int solid = 0, leaf = 0;
+};
+
+/// Pieces of a field in its order. Ends where two pieces join smoothly, or in a concave corner, are no corners.
+std::vector<SweepPiece> prepare_pieces(const Field& field);
+
+/// The point of a piece nearest to p.
+struct Foot {
+    double distance = infinity;  ///< unsigned
+    Vec2 normal{0, 0};           ///< unit, from the foot to p
+    double hollow = 0;           ///< radius of curvature of a hollow arc met from inside, else 0
+    bool outside = true;         ///< p is on the free side, and the foot is a place that a ball can touch
+};
+Foot nearest_on(const SweepPiece& piece, const Vec2& p);
+
+struct PieceHit {
+    double time = infinity;
+    Vec2 normal{0, 0};    ///< unit, out of the solid
+    bool capped = false;  ///< the budget ran out: clear until `time`, unknown beyond
+};
+
+/// First contact within `duration`. Straight paths are closed form; a parabola against a line too, and against arcs and
+/// corners it is advanced by steps that are certified by the exact range of the second derivative.
+PieceHit sweep_piece(const SweepPiece& piece, const Motion& motion, double duration, double radius, const ContactBand& band,
+                     int& evaluations);
+
+}  // namespace pinfield

@@ -1,0 +1,252 @@
+// One tick: forces to accelerations to velocities to positions, each stage followed by its filter (Baraff and Witkin's
+// constraint filters as taught in Stanford's CS248B), then continuous detection for the path that comes out of it.
+#include <algorithm>
+
+#include "engine/physics/state.h"
+#include "engine/program/evaluate.h"
+
+namespace pinfield {
+
+namespace {
+
+constexpr double let_out_speed = 2;  // m/s
+
+bool finite(const Ball& b) { return b.position.allFinite() && b.velocity.allFinite() && std::isfinite(b.spin); }
+
+/// Balls that are held feel no force.
+void filter_accelerations(const WorldState& w, std::size_t i, Vec2& acceleration) {
+    if (w.balls[i].state != BallState::rolling || w.work[i].frozen) acceleration = {0, 0};
+}
+
+/// Balls that are held do not move. (Contacts act on velocities too, as impulses: see respond.cpp.)
+void filter_velocities(const WorldState& w, std::size_t i, Vec2& velocity) {
+    if (w.balls[i].state != BallState::rolling) velocity = {0, 0};
+}
+
+/// A ball whose numbers are not finite leaves the simulation.
+void filter_positions(WorldState& w, std::size_t i) {
+    Ball& ball = w.balls[i];
+    if (finite(ball)) return;
+    ball.state = BallState::quarantined;
+    w.events.push_back({w.tick, w.start_time() + w.physics.step, EventKind::quarantine, ball.id, {}, ball.start_position, {0, 0}, 0});
+}
+
+/// The velocity stage of both integrators; leaves the acceleration of the path in the ball's work.
+void begin_tick(WorldState& w, std::size_t i) {
+    BallWork& work = w.work[i];
+    work.time = work.travelled = 0;
+    work.impacts = 0;
+    work.frozen = false;
+    Vec2 acceleration = w.physics.gravity;
+    filter_accelerations(w, i, acceleration);
+    Vec2 velocity = w.balls[i].velocity;
+    if (w.physics.integrator == Integrator::symplectic_euler) {
+        velocity += w.physics.step * acceleration;
+        acceleration = {0, 0};  // the path is straight within the tick
+    }
+    filter_velocities(w, i, velocity);
+    w.balls[i].velocity = velocity;
+    work.acceleration = acceleration;
+}
+
+double longest_way(const WorldState& w, std::size_t i) {
+    const Motion path{w.balls[i].position, w.balls[i].velocity, w.work[i].acceleration};
+    return path.travel(w.physics.step);
+}
+
+void apply_inputs(WorldState& w) {
+    for (const InputEdge& edge : w.edges) {
+        if (edge.input < 0 || static_cast<std::size_t>(edge.input) >= w.pressed.size()) continue;
+        if (w.pressed[static_cast<std::size_t>(edge.input)] == edge.pressed) continue;
+        w.pressed[static_cast<std::size_t>(edge.input)] = edge.pressed;
+        for (const Mover& mover : w.program().movers) {
+            const Part& part = w.program().parts[static_cast<std::size_t>(mover.part)];
+            if (std::find(part.inputs.begin(), part.inputs.end(), edge.input) == part.inputs.end()) continue;
+            w.events.push_back({w.tick, w.start_time(), edge.pressed ? EventKind::press : EventKind::release, {}, part.origin,
+                                mover.pivot, {0, 0}, 0});
+        }
+    }
+    w.edges.clear();
+}
+
+void drive_movers(WorldState& w) {
+    for (std::size_t m = 0; m < w.movers.size(); ++m) {
+        const Mover& mover = w.program().movers[m];
+        const Part& part = w.program().parts[static_cast<std::size_t>(mover.part)];
+        const bool held = std::any_of(part.inputs.begin(), part.inputs.end(),
+                                      [&](int input) { return w.pressed[static_cast<std::size_t>(input)]; });
+        switch_mover(w.movers[m], held);
+        if (drive_mover(w.program(), static_cast<int>(m), w.movers[m], w.physics.step))
+            w.events.push_back({w.tick, w.start_time(), EventKind::launch, {}, part.origin, mover.pivot, w.movers[m].axis,
+                                std::fabs(w.movers[m].rate)});
+        w.mover_work[m] = {};
+    }
+}
+
+bool mover_near(const WorldState& w, std::size_t i, double way, bool moving_only) {
+    for (std::size_t m = 0; m < w.movers.size(); ++m) {
+        const MoverState& s = w.movers[m];
+        if (moving_only && s.rate == 0 && s.acceleration == 0) continue;
+        const double reach = mover_reach(w.program(), static_cast<int>(m), s) + w.physics.ball_radius + 2 * w.band.tolerance;
+        if (length(w.balls[i].position - w.program().movers[m].pivot) <= reach + way) return true;
+    }
+    return false;
+}
+
+bool ball_near(const WorldState& w, std::size_t i, double way) {
+    const double touch = 2 * w.physics.ball_radius + 2 * w.band.tolerance;
+    for (std::size_t j = 0; j < w.balls.size(); ++j) {
+        if (j == i || !w.in_play(j)) continue;
+        const double reach = touch + way + longest_way(w, j);
+        const Vec2 apart = w.balls[i].position - w.balls[j].position;
+        if (dot(apart, apart) <= reach * reach) return true;
+    }
+    return false;
+}
+
+/// A ball that did not change a bit in a whole tick, touching something, will not change in the next one either.
+void rest_or_wake(WorldState& w, std::size_t i) {
+    Ball& ball = w.balls[i];
+    const Ball& before = w.balls_before[i];
+    const bool still = ball.velocity.x() == 0 && ball.velocity.y() == 0 && ball.spin == 0 && ball.position == before.position &&
+                       before.velocity.x() == 0 && before.velocity.y() == 0;
+    if (ball.state == BallState::rolling && still && w.work[i].slide_tick == w.tick && w.work[i].slide.mover < 0)
+        ball.state = BallState::resting;
+}
+
+void check_drains(WorldState& w, std::size_t i) {
+    Ball& ball = w.balls[i];
+    const Vec2 from = w.balls_before[i].position, way = ball.position - from;
+    for (const Sensor& sensor : w.program().sensors) {
+        if (sensor.field.solids.empty()) continue;
+        Box2 box;
+        for (const Solid& solid : sensor.field.solids) box = box.merged(solid.bounds);
+        if (!box.overlaps(Box2::of(from, ball.position))) continue;
+        // Sampled finely enough for the centre not to jump the sensor: a drain is no wall, so this needs no certificate.
+        const double pace = 0.25 * std::min(box.size().x(), box.size().y());
+        const int samples = pace > 0 ? std::clamp(static_cast<int>(length(way) / pace) + 1, 1, 64) : 1;
+        for (int k = 1; k <= samples; ++k) {
+            const Vec2 p = k == samples ? ball.position : Vec2(from + (static_cast<double>(k) / samples) * way);
+            if (!drains(w.program(), sensor, p)) continue;
+            ball.state = BallState::drained;
+            w.events.push_back({w.tick, w.start_time() + w.physics.step, EventKind::drain, ball.id,
+                                w.program().parts[static_cast<std::size_t>(sensor.part)].origin, p, {0, 0}, length(ball.velocity)});
+            return;
+        }
+    }
+}
+
+/// Sorts this tick's events by time, then ids; each ball's are in order already.
+void order_events(std::vector<Event>& events) {
+    const auto before = [](const Event& a, const Event& b) {
+        return a.time != b.time ? a.time < b.time : a.ball < b.ball;
+    };
+    if (!std::is_sorted(events.begin(), events.end(), before)) std::stable_sort(events.begin(), events.end(), before);
+}
+
+/// Ticks of balls that surely meet no mover and no other ball; the others are put into w.together.
+void run_alone(WorldState& w) {
+    w.together.clear();
+    const bool pairs = w.options.balls_collide && w.balls.size() > 1;
+    bool everybody = false;
+    for (std::size_t i = 0; i < w.balls.size() && !everybody; ++i) {
+        if (!w.in_play(i)) continue;
+        if (w.work[i].embedded) { let_out(w, i); continue; }
+        Ball& ball = w.balls[i];
+        const double way = longest_way(w, i);
+        if (ball.state == BallState::resting && !pairs) continue;
+        if (!pairs && way < ball.free_path && w.options.sweep) {
+            advance_ball(w, i, w.physics.step);
+            ball.free_path -= way;
+            ++w.stats.free_steps;
+            continue;
+        }
+        if (mover_near(w, i, way, false) || (pairs && ball_near(w, i, way))) {
+            w.together.push_back(static_cast<int>(i));
+        } else if (ball.state == BallState::rolling) {
+            // Ways are bounds only while nothing adds speed: a ball that a kick sends farther starts again among the others.
+            const Ball start = ball;
+            const BallWork work = w.work[i];
+            const std::size_t events = w.events.size(), paths = w.paths.size();
+            if (advance_alone(w, i, way * (1 + 1e-9) + w.band.tolerance)) continue;
+            w.balls[i] = start;
+            w.work[i] = work;
+            w.events.resize(events);
+            w.paths.resize(paths);
+            if (pairs) everybody = true;
+            else w.together.push_back(static_cast<int>(i));
+        }
+    }
+    if (!everybody) return;
+    for (std::size_t i = 0; i < w.balls.size(); ++i)
+        if (w.work[i].time > 0 && !w.work[i].embedded) { w.balls[i] = w.balls_before[i]; begin_tick(w, i); }
+    w.events.erase(std::remove_if(w.events.begin(), w.events.end(), [](const Event& e) { return e.ball.value != 0; }), w.events.end());
+    w.paths.clear();
+    w.together.clear();
+    for (std::size_t i = 0; i < w.balls.size(); ++i)
+        if (w.in_play(i) && !w.work[i].embedded) w.together.push_back(static_cast<int>(i));
+}
+
+}  // namespace
+
+double room_without_mechanisms(const WorldState& w, const Vec2& centre) {
+    double room = infinity;
+    for (std::size_t m = 0; m < w.movers.size(); ++m) {
+        const double reach = mover_reach(w.program(), static_cast<int>(m), w.movers[m]) + w.physics.ball_radius + 2 * w.band.tolerance;
+        room = std::min(room, length(centre - w.program().movers[m].pivot) - reach);
+    }
+    for (const Sensor& sensor : w.program().sensors)
+        for (const Solid& solid : sensor.field.solids) room = std::min(room, solid.bounds.distance(centre));
+    return room;
+}
+
+void let_out(WorldState& w, std::size_t i) {
+    Ball& ball = w.balls[i];
+    const double r = w.physics.ball_radius, h = w.physics.step;
+    std::vector<double> q;
+    for (const MoverState& s : w.movers) q.push_back(s.q);
+    const Gap gap = gap_at(w.program(), q, ball.position, ball.layer, 2 * r);
+    const double missing = r + w.band.target() - gap.distance, size = length(gap.gradient);
+    ball.free_path = 0;
+    if (missing <= w.band.accepted() || size == 0) {
+        w.work[i].embedded = false;
+        return;
+    }
+    const Vec2 n = gap.gradient / size;
+    ball.position += std::min(missing, let_out_speed * h) * n;
+    const double into = dot(n, ball.velocity);
+    if (into < 0) ball.velocity -= into * n;
+    if (w.physics.integrator == Integrator::symplectic_euler) ball.velocity -= h * w.physics.gravity;  // held: no weight yet
+    ball.state = BallState::rolling;
+    w.work[i].time = h;
+}
+
+void run_tick(WorldState& w) {
+    w.events.clear();
+    w.paths.clear();
+    w.mover_paths.clear();
+    apply_inputs(w);
+    drive_movers(w);
+    w.balls_before = w.balls;
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
+        if (!w.in_play(i)) continue;
+        if (w.balls[i].state == BallState::resting && mover_near(w, i, 0, true)) w.balls[i].state = BallState::rolling;
+        begin_tick(w, i);
+    }
+    run_alone(w);
+    advance_together(w);
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
+        if (!w.in_play(i)) continue;
+        filter_positions(w, i);
+        if (!w.program().sensors.empty() && w.in_play(i)) check_drains(w, i);
+        rest_or_wake(w, i);
+    }
+    order_events(w.events);
+    w.stats.sweeps = w.sweeps.sweeps;
+    w.stats.evaluations = w.sweeps.evaluations;
+    w.stats.capped_queries = w.sweeps.capped;
+    w.stats.most_evaluations = w.sweeps.most_evaluations;
+    ++w.tick;
+}
+
+}  // namespace pinfield

@@ -1,0 +1,234 @@
+#include "engine/physics/world.h"
+
+#include <algorithm>
+
+#include "engine/core/hash.h"
+#include "engine/physics/state.h"
+#include "engine/program/evaluate.h"
+#include "engine/scene/parts/spawn.h"
+
+namespace pinfield {
+
+struct World::State : WorldState {};
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+std::vector<SweptField> swept_movers(const Program& program) {
+    std::vector<SweptField> swept;
+    for (const Mover& mover : program.movers) swept.emplace_back(mover.field);
+    return swept;
+}
+
+/// The world's frame at q for the mover's field, from the program alone.
+Pose pose_in(const Program& program, std::size_t mover, double q) {
+    const MoverState state = mover_at_rest(program, static_cast<int>(mover));
+    return pose_of(program.movers[mover], state.rotates, state.axis, q);
+}
+
+void take_physics(WorldState& w) {
+    w.physics = w.program().physics;
+    if (w.options.integrator) w.physics.integrator = *w.options.integrator;
+    if (w.options.step) w.physics.step = *w.options.step;
+    w.band.tolerance = w.physics.tolerance;
+}
+
+void fresh_movers(WorldState& w) {
+    w.movers.clear();
+    for (std::size_t m = 0; m < w.program().movers.size(); ++m) w.movers.push_back(mover_at_rest(w.program(), static_cast<int>(m)));
+    w.mover_work.assign(w.movers.size(), {});
+}
+
+std::vector<double> places(const WorldState& w) {
+    std::vector<double> q;
+    for (const MoverState& s : w.movers) q.push_back(s.q);
+    return q;
+}
+
+/// A ball that overlaps something is let out over the next ticks.
+void check_embedded(WorldState& w, std::size_t i) {
+    const double r = w.physics.ball_radius;
+    const Gap gap = gap_at(w.program(), places(w), w.balls[i].position, w.balls[i].layer, 2 * r);
+    w.work[i].embedded = gap.distance < r;
+}
+
+std::size_t index_of(const WorldState& w, BallId id) {
+    const auto found = std::find_if(w.balls.begin(), w.balls.end(), [&](const Ball& b) { return b.id == id; });
+    return static_cast<std::size_t>(found - w.balls.begin());
+}
+
+/// Keeps the motion of a mover whose part is still there, within its new end-stops.
+void keep_motion(MoverState& now, const MoverState& before) {
+    now.q = std::clamp(before.q, now.q_min, now.q_max);
+    now.rate = now.q == before.q ? before.rate : 0.0;
+    now.driven = before.driven;
+    now.drive_time = before.drive_time;
+    now.launch_rate = before.launch_rate;
+}
+
+}  // namespace
+
+PreparedProgram::PreparedProgram(ProgramPtr from)
+    : program(std::move(from)), fixed(program->fixed), movers(swept_movers(*program)) {}
+
+std::string_view name(EventKind kind) {
+    constexpr std::string_view names[] = {"hit",     "kick",        "ball_hit", "drain",      "press",
+                                          "release", "flipper_end", "launch",   "quarantine", "jam"};
+    return names[static_cast<std::size_t>(kind)];
+}
+
+World::World(ProgramPtr program, WorldOptions options) : state_(std::make_unique<State>()) {
+    state_->options = options;
+    state_->prepared = std::make_shared<const PreparedProgram>(std::move(program));
+    state_->pressed.assign(state_->program().inputs.size(), false);
+    take_physics(*state_);
+    fresh_movers(*state_);
+}
+
+World::~World() = default;
+World::World(const World& other) : state_(std::make_unique<State>(*other.state_)) {}
+World& World::operator=(const World& other) {
+    *state_ = *other.state_;
+    return *this;
+}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+void World::step() { run_tick(*state_); }
+
+void World::set_input(int input, double value) { state_->edges.push_back({input, value > 0}); }
+
+BallId World::add_ball(const Vec2& position, const Vec2& velocity, double spin) {
+    Ball ball;
+    ball.id = BallId{state_->next_ball++};
+    ball.position = ball.start_position = position;
+    ball.velocity = ball.start_velocity = velocity;
+    ball.spin = spin;
+    state_->balls.push_back(ball);
+    state_->work.emplace_back();
+    check_embedded(*state_, state_->balls.size() - 1);
+    return ball.id;
+}
+
+void World::add_spawned_balls() {
+    for (const Part& part : program().parts)
+        if (part.is<parts::Spawn>()) {
+            const auto velocity = part.as<parts::Spawn>().velocity;
+            add_ball(part.world_from_part.offset, part.world_from_part.direction({velocity.x, velocity.y}));
+        }
+}
+
+void World::remove_balls() {
+    state_->balls.clear();
+    state_->work.clear();
+}
+
+void World::put_back(BallId id) {
+    const std::size_t i = index_of(*state_, id);
+    if (i < state_->balls.size()) set_ball(id, state_->balls[i].start_position, state_->balls[i].start_velocity);
+}
+
+void World::set_ball(BallId id, const Vec2& position, const Vec2& velocity) {
+    const std::size_t i = index_of(*state_, id);
+    if (i >= state_->balls.size()) return;
+    Ball& ball = state_->balls[i];
+    ball.position = position;
+    ball.velocity = velocity;
+    ball.spin = ball.free_path = 0;
+    ball.state = BallState::rolling;
+    state_->work[i] = {};
+    check_embedded(*state_, i);
+}
+
+void World::set_program(ProgramPtr program) {
+    State& w = *state_;
+    const auto before = w.prepared;  // keeps the old program alive while its movers are matched
+    const std::vector<MoverState> movers = w.movers;
+    std::vector<std::string> held;
+    for (std::size_t k = 0; k < w.pressed.size(); ++k)
+        if (w.pressed[k]) held.push_back(before->program->inputs[k]);
+    w.prepared = std::make_shared<const PreparedProgram>(std::move(program));
+    take_physics(w);
+    fresh_movers(w);
+    const auto origin = [](const Program& p, std::size_t m) { return p.parts[at(p.movers[m].part)].origin; };
+    for (std::size_t m = 0; m < w.movers.size(); ++m)
+        for (std::size_t k = 0; k < movers.size(); ++k)
+            if (origin(w.program(), m) == origin(*before->program, k) && w.movers[m].rotates == movers[k].rotates)
+                keep_motion(w.movers[m], movers[k]);
+    w.pressed.assign(w.program().inputs.size(), false);
+    for (std::size_t k = 0; k < w.pressed.size(); ++k)
+        w.pressed[k] = std::find(held.begin(), held.end(), w.program().inputs[k]) != held.end();
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
+        Ball& ball = w.balls[i];
+        ball.free_path = 0;
+        if (ball.state == BallState::resting || ball.state == BallState::jammed) ball.state = BallState::rolling;
+        w.work[i].slide_tick = -2;
+        if (w.in_play(i)) check_embedded(w, i);
+    }
+}
+
+const Program& World::program() const { return *state_->prepared->program; }
+const ProgramPtr& World::shared_program() const { return state_->prepared->program; }
+std::int64_t World::tick() const { return state_->tick; }
+double World::step_length() const { return state_->physics.step; }
+double World::time() const { return state_->start_time(); }
+std::span<const Ball> World::balls() const { return state_->balls; }
+std::span<const MoverState> World::movers() const { return state_->movers; }
+std::span<const Event> World::events() const { return state_->events; }
+const WorldStats& World::stats() const { return state_->stats; }
+void World::record_paths(bool on) { state_->recording = on; }
+std::span<const PathSegment> World::paths() const { return state_->paths; }
+std::span<const MoverSegment> World::mover_paths() const { return state_->mover_paths; }
+
+const Ball* World::find(BallId id) const {
+    const std::size_t i = index_of(*state_, id);
+    return i < state_->balls.size() ? &state_->balls[i] : nullptr;
+}
+
+double World::energy(const Ball& ball) const {
+    const PhysicsRecord& p = state_->physics;
+    const double inertia = 0.5 * p.ball_radius * p.ball_radius;  // of a disc, per mass
+    return p.ball_mass * (0.5 * dot(ball.velocity, ball.velocity) + 0.5 * inertia * ball.spin * ball.spin - dot(p.gravity, ball.position));
+}
+
+double World::energy() const {
+    double sum = 0;
+    for (const Ball& ball : state_->balls)
+        if (ball.state != BallState::drained && ball.state != BallState::quarantined) sum += energy(ball);
+    return sum;
+}
+
+std::uint64_t World::state_hash() const {
+    Hash64 hash;
+    hash.feed(state_->tick);
+    for (const Ball& b : state_->balls)
+        hash.feed(b.id.value).feed(b.position.x()).feed(b.position.y()).feed(b.velocity.x()).feed(b.velocity.y()).feed(b.spin).feed(static_cast<int>(b.state));
+    for (const MoverState& m : state_->movers) hash.feed(m.q).feed(m.rate).feed(m.acceleration).feed(m.drive_time);
+    return hash.value();
+}
+
+Gap gap_at(const Program& program, std::span<const double> q, const Vec2& p, LayerMask layers, double reach) {
+    Gap gap;
+    const auto take = [&](const Field& field, const Nearest& n, int mover, const Pose& pose) {
+        if (n.solid < 0 || n.distance >= gap.distance) return;
+        const NodeId node = field.solids[at(n.solid)].origin;
+        gap = {n.distance, mover < 0 ? n.gradient : pose.to_world(n.gradient), node, mover};
+    };
+    take(program.fixed, nearest(program.fixed, p, layers, reach), -1, {});
+    for (std::size_t m = 0; m < program.movers.size(); ++m) {
+        const Pose pose = pose_in(program, m, q[m]);
+        const Field& field = program.movers[m].field;
+        take(field, nearest(field, pose.place_from_world(p), layers, reach), static_cast<int>(m), pose);
+    }
+    if (gap.distance > reach) gap.distance = reach;
+    return gap;
+}
+
+Gap gap_at(const World& world, const Vec2& p, LayerMask layers) {
+    std::vector<double> q;
+    for (const MoverState& s : world.movers()) q.push_back(s.q);
+    return gap_at(world.program(), q, p, layers);
+}
+
+}  // namespace pinfield
