@@ -63,7 +63,7 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
     const ChildCount allowed = type.meta.children;
     if (list) read_nodes(context, scene, node.id, *list);
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
-    if (count >= allowed.min && count <= allowed.max) return;
+    if (count >= allowed.min && count <= allowed.max && (allowed.max > 0 || !list)) return;
     const std::string wanted = allowed.max == 0               ? "no children"
                                : allowed.min == allowed.max    ? fmt::format("exactly {} {}", allowed.min, allowed.min == 1 ? "child" : "children")
                                : allowed.max == any_number     ? fmt::format("at least {} {}", allowed.min, allowed.min == 1 ? "child" : "children")

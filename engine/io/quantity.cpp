@@ -91,6 +91,12 @@ bool looks_infinite(std::string_view text) {
     return word == "nan" || word == "inf" || word == "infinity";
 }
 
+/// What other programs take for true and false.
+bool is_boolean_word(std::string_view text) {
+    constexpr std::array words{"true", "false", "yes", "no", "on", "off"};
+    return std::find(words.begin(), words.end(), text) != words.end();
+}
+
 /// Anything that a number, a name or an operator may be part of; prose is not.
 bool looks_like_expression(std::string_view text) {
     if (text.empty()) return false;
@@ -145,10 +151,12 @@ std::string suffixes_of(Unit unit) {
     return out;
 }
 
-QuantityResult read_quantity(std::string_view text, Unit unit) {
+QuantityResult read_quantity(std::string_view written, Unit unit) {
+    const std::string_view text = written.size() > 60 ? written.substr(0, 60) : written;  // longer ones are wrong, and messages are for people
+    if (text.size() < written.size() && parse_number(written)) return Quantity{*parse_number(written), written, nullptr};
     if (looks_infinite(text)) return QuantityError{Code::not_finite, fmt::format("{} is no finite number", text), ""};
     if (!looks_numeric(text)) {
-        if (text != "true" && text != "false" && looks_like_expression(text))
+        if (!is_boolean_word(text) && looks_like_expression(text))
             return QuantityError{Code::expression_unsupported, fmt::format("{} is no number, and expressions are not supported yet", text), ""};
         return QuantityError{Code::wrong_type, "a number is due here", ""};
     }

@@ -35,7 +35,7 @@ std::optional<double> read_number(ReadContext& context, const FieldMeta& meta, c
         if (read.error().code == Code::expression_unsupported && report_comma_split(context, node)) return {};
         const bool wrong_type = read.error().code == Code::wrong_type;
         context.report(read.error().code, node.span,
-                       wrong_type ? fmt::format("a number is due here, not {}", shortened(node.text)) : shortened(read.error().message), read.error().hint);
+                       wrong_type ? fmt::format("a number is due here, not {}", shortened(node.text)) : read.error().message, read.error().hint);
         return {};
     }
     FieldType plain{"", FieldKind::number, meta, {}, {}, false};
@@ -180,7 +180,10 @@ void report_missing_value(ReadContext& context, const YamlNode& key, const YamlN
 bool report_comma_split(ReadContext& context, const YamlNode& value) {
     if (value.kind != YamlKind::scalar || value.style != YamlStyle::plain) return false;
     if (std::count(value.text.begin(), value.text.end(), '(') <= std::count(value.text.begin(), value.text.end(), ')')) return false;
-    context.report(Code::comma_split, value.span, "a comma split this expression", "quote it");
+    // Its own field may have told of it already.
+    const auto told = [&](const Diagnostic& d) { return d.where == value.span && d.code == entry(Code::comma_split).code; };
+    if (std::none_of(context.diagnostics.begin(), context.diagnostics.end(), told))
+        context.report(Code::comma_split, value.span, "a comma split this expression", "quote it");
     return true;
 }
 

@@ -1,0 +1,236 @@
+#include "engine/io/text_patch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/io/table_reader.h"
+#include "engine/io/value_writer.h"
+#include "engine/io/yaml_edit.h"
+
+namespace pinfield {
+namespace {
+
+/// Where a node's fields stand in the tree.
+struct Place {
+    const YamlNode* owner = nullptr;  ///< the map whose entry the node is; null: the text does not mention it
+    std::size_t entry = 0;
+};
+
+Place find_place(const YamlTree& tree, const Node& node) {
+    if (node.key.begin == node.key.end) return {};
+    for (const YamlNode& key : tree.nodes) {
+        if (key.span != node.key || key.kind != YamlKind::scalar || !key.parent || key.parent->kind != YamlKind::map) continue;
+        const auto& items = key.parent->items;
+        const auto at = static_cast<std::size_t>(std::find(items.begin(), items.end(), &key) - items.begin());
+        if (at % 2 == 0) return {key.parent, at / 2};
+    }
+    return {};
+}
+
+/// Anything on the way up from a node, or in it, that an alias repeats.
+const YamlNode* shared_above(const YamlNode* node) {
+    for (; node; node = node->parent)
+        if (node->references > 0) return node;
+    return nullptr;
+}
+const YamlNode* shared_below(const YamlNode& node) {
+    if (node.references > 0 || node.target) return &node;
+    for (const YamlNode* item : node.items)
+        if (const YamlNode* found = shared_below(*item)) return found;
+    return nullptr;
+}
+
+/// Bytes between two items of a list, or what would stand there; comments belong to the items they follow.
+std::string separator(const std::string& text, const YamlNode& list) {
+    if (list.items.size() >= 2) {
+        const std::size_t begin = list.items[0]->span.end, end = list.items[1]->span.begin;
+        const std::string between = text.substr(begin, end - begin);
+        if (between.find('#') == std::string::npos) return between;
+    }
+    return ", ";
+}
+
+class ValuePatch {
+public:
+    ValuePatch(const std::string& text, const FieldType& field) : text_(text), field_(field) {}
+
+    /// The smallest replacement of a value's text.
+    TextPatch of(const YamlNode& node, const Value& before, const Value& after) const {
+        if (const auto* pair = std::get_if<Vec2>(&after); pair && node.kind == YamlKind::sequence)
+            return around({pair_text(node, std::get<Vec2>(before), *pair)}, node, before, after);
+        if (const auto* points = std::get_if<std::vector<Vec2>>(&after); points && node.kind == YamlKind::sequence)
+            return points_patch(node, std::get<std::vector<Vec2>>(before), *points);
+        if (node.kind == YamlKind::scalar) return {node.span, write_scalar_like(field_, after, node)};
+        return {node.span, list_or_value(node, after)};
+    }
+
+private:
+    struct Text {
+        std::string text;
+    };
+
+    /// A pair again, each untouched component with the bytes it had.
+    std::string pair_text(const YamlNode& node, const Vec2& before, const Vec2& after) const {
+        const YamlNode &x = *node.items[0], &y = *node.items[1];
+        const auto component = [&](const YamlNode& item, double old_value, double new_value) {
+            return identical(Value(old_value), Value(new_value)) ? slice(item.span.begin, item.span.end) : write_number_like(field_, new_value, &item);
+        };
+        return slice(node.span.begin, x.span.begin) + component(x, before.x(), after.x()) + slice(x.span.end, y.span.begin) +
+               component(y, before.y(), after.y()) + slice(y.span.end, node.span.end);
+    }
+
+    /// Narrows a replacement of the whole pair down to the components that change.
+    TextPatch around(const Text& whole, const YamlNode& node, const Value& before, const Value& after) const {
+        const auto& old_pair = std::get<Vec2>(before);
+        const auto& new_pair = std::get<Vec2>(after);
+        const bool same_x = identical(Value(old_pair.x()), Value(new_pair.x())), same_y = identical(Value(old_pair.y()), Value(new_pair.y()));
+        const std::size_t begin = same_x ? node.items[1]->span.begin : node.items[0]->span.begin;
+        const std::size_t end = same_y ? node.items[0]->span.end : node.items[1]->span.end;
+        const std::size_t kept_before = begin - node.span.begin, kept_after = node.span.end - end;
+        return {{begin, end}, whole.text.substr(kept_before, whole.text.size() - kept_before - kept_after)};
+    }
+
+    /// Points in common at both ends keep their bytes; what is between is written anew, point by point where the counts agree.
+    TextPatch points_patch(const YamlNode& node, const std::vector<Vec2>& before, const std::vector<Vec2>& after) const {
+        const auto same = [&](std::size_t i, std::size_t j) { return identical(Value(before[i]), Value(after[j])); };
+        std::size_t head = 0, tail = 0;
+        const std::size_t common = std::min(before.size(), after.size());
+        while (head < common && same(head, head)) ++head;
+        while (tail < common - head && same(before.size() - 1 - tail, after.size() - 1 - tail)) ++tail;
+        const std::size_t old_count = before.size() - head - tail, new_count = after.size() - head - tail;
+        if (before.empty() || after.empty()) return {node.span, write_value(field_, after)};
+        const std::string between = separator(text_, node);
+        std::string out;
+        for (std::size_t i = 0; i < new_count; ++i) {
+            const bool replaces = i < old_count && node.items[head + i]->kind == YamlKind::sequence;
+            const std::string point = replaces ? pair_text(*node.items[head + i], before[head + i], after[head + i]) : new_point(node, after[head + i]);
+            const bool keep_gap = i > 0 && i < old_count;
+            if (i > 0) out += keep_gap ? slice(node.items[head + i - 1]->span.end, node.items[head + i]->span.begin) : between;
+            out += point;
+        }
+        if (old_count > 0 && new_count > 0) return {{node.items[head]->span.begin, node.items[head + old_count - 1]->span.end}, out};
+        if (old_count > 0) {  // points are taken out, with the separator on one side
+            if (head > 0) return {{node.items[head - 1]->span.end, node.items[head + old_count - 1]->span.end}, ""};
+            return {{node.items[0]->span.begin, node.items[old_count]->span.begin}, ""};
+        }
+        if (head > 0) return {{node.items[head - 1]->span.end, node.items[head - 1]->span.end}, between + out};
+        return {{node.items[0]->span.begin, node.items[0]->span.begin}, out + between};
+    }
+
+    /// In the units of the list's first point.
+    std::string new_point(const YamlNode& list, const Vec2& point) const {
+        const YamlNode& like = list.items[0]->resolved();
+        if (like.items.size() != 2) return write_value(field_, Value(point));
+        return fmt::format("[{}, {}]", write_number_like(field_, point.x(), like.items[0]), write_number_like(field_, point.y(), like.items[1]));
+    }
+
+    /// A list of names that was written as a list stays one.
+    std::string list_or_value(const YamlNode& node, const Value& after) const {
+        const auto* names = std::get_if<std::vector<std::string>>(&after);
+        if (names && names->size() == 1 && node.kind == YamlKind::sequence) return fmt::format("[{}]", write_text(names->front()));
+        return write_value(field_, after);
+    }
+
+    std::string slice(std::size_t begin, std::size_t end) const { return text_.substr(begin, end - begin); }
+
+    const std::string& text_;
+    const FieldType& field_;
+};
+
+Failure shared_failure(const YamlNode& shared) {
+    if (shared.target) return {fmt::format("the value stands for the one at the anchor &{}; edit the text", shared.text)};
+    return {fmt::format("the value is shared by {} places of the file; edit the text", shared.references + 1)};
+}
+
+/// Where a new field goes: before the children, which are the longest part of a node and stay last.
+std::size_t index_for_new_field(const YamlNode& map) {
+    for (std::size_t i = 0; i < map.entries(); ++i)
+        if (map.key(i).text == "children") return i;
+    return map.entries();
+}
+
+/// A new section for a record that the text does not mention.
+TextPatch new_section(const std::string& text, const YamlNode& root, const Node& record, const std::string& entry) {
+    std::size_t index = 0;
+    for (std::size_t i = 0; i < root.entries(); ++i)
+        if (root.key(i).text == "pinfield" || root.key(i).text == "table") index = i + 1;
+    return insert_entry(text, root, index, fmt::format("{}: {{{}}}", record.type->key(), entry));
+}
+
+Result<TextPatch> unverified_patch(const std::string& text, const YamlTree& tree, const Node& node, const Edit& edit) {
+    const auto slot_index = static_cast<std::size_t>(edit.field);
+    const FieldType& field = node.type->fields[slot_index];
+    const std::string entry = fmt::format("{}: {}", field.key, write_value(field, edit.value));
+    const Place place = find_place(tree, node);
+    if (!place.owner) {
+        if (node.type->meta.kind != NodeKind::record) return failure("the text does not hold the node");
+        return new_section(text, *tree.root, node, entry);
+    }
+    const YamlNode& body = place.owner->value(place.entry);
+    if (const YamlNode* shared = shared_above(&body)) return tl::unexpected<Failure>(shared_failure(*shared));
+    if (body.target) return tl::unexpected<Failure>(shared_failure(body));
+    if (body.is_empty()) return insert_body(text, body, entry);
+    for (std::size_t i = 0; i < body.entries(); ++i) {
+        if (body.key(i).text != field.key) continue;
+        if (const YamlNode* shared = shared_below(body.value(i))) return tl::unexpected<Failure>(shared_failure(*shared));
+        if (!edit.given) return remove_entry(text, body, i);
+        return ValuePatch(text, field).of(body.value(i), node.fields[slot_index].value, edit.value);
+    }
+    return insert_entry(text, body, index_for_new_field(body), entry);
+}
+
+std::optional<NodeId> counterpart(const Scene& from, NodeId id, const Scene& to) {
+    const std::vector<NodeId> here = from.all(), there = to.all();
+    const auto at = std::find(here.begin(), here.end(), id);
+    if (at == here.end() || here.size() != there.size()) return {};
+    return there[static_cast<std::size_t>(at - here.begin())];
+}
+
+ReadResult read_text(const SourceText& source, const Scene& like, const Limits& limits) {
+    return read_table(std::make_shared<const SourceText>(source), like.shared_catalogue(), limits);
+}
+
+/// The patched text must be the same scene with exactly this edit.
+std::optional<std::string> refute(const TextPatch& patch, const SourceText& source, const Scene& now, const Edit& edit, const Limits& limits) {
+    const ReadResult after = read_text(SourceText(source.name(), apply(patch, source.text())), now, limits);
+    for (const Diagnostic& d : after.diagnostics)
+        if (d.severity == Severity::error) return fmt::format("the text would say: {}", d.message);
+    Scene expected = now;
+    apply(expected, edit);
+    if (!after.scene.same_content(expected)) return "the text would change more than this value";
+    return {};
+}
+
+}  // namespace
+
+std::string apply(const TextPatch& patch, const std::string& text) {
+    return text.substr(0, patch.replaced.begin) + patch.text + text.substr(patch.replaced.end);
+}
+
+TextPatch inverse(const TextPatch& patch, const std::string& text) {
+    const std::size_t begin = patch.replaced.begin;
+    return {{begin, begin + patch.text.size()}, text.substr(begin, patch.replaced.end - begin)};
+}
+
+Result<TextPatch> patch_for(const SourceText& source, const Scene& before, const Edit& edit, const Limits& limits) {
+    if (const auto why = refuse(before, edit)) return failure(*why);
+    const ReadResult now = read_text(source, before, limits);
+    if (!now.ok() || !now.scene.same_content(before)) return failure("the text is not what the scene was read from");
+    const auto id = counterpart(before, edit.node, now.scene);
+    if (!id) return failure("the node no longer exists");
+    const Edit here{*id, edit.field, edit.value, edit.given};
+    const Node& node = *now.scene.find(*id);
+    const FieldSlot& slot = node.fields[static_cast<std::size_t>(edit.field)];
+    if (slot.given == edit.given && identical(slot.value, edit.value)) return TextPatch{};
+    if (!edit.given && !identical(edit.value, node.type->fields[static_cast<std::size_t>(edit.field)].initial))
+        return failure("only a default value can be left out of the text");
+    const YamlTree tree = read_yaml(source, limits);
+    Result<TextPatch> patch = unverified_patch(source.text(), tree, node, here);
+    if (!patch) return patch;
+    if (const auto why = refute(*patch, source, now.scene, here, limits)) return failure(*why);
+    return patch;
+}
+
+}  // namespace pinfield
