@@ -74,11 +74,9 @@ constexpr std::array codes{
     ErrorCode{"W0502", "unknown_keyboard_key", "no key of a keyboard has this name"},
 
     ErrorCode{"E0601", "unknown_step", "no such step in an editor script"},
-    ErrorCode{"E0602", "bad_csv_header", "the first line does not name the columns x,y"},
-    ErrorCode{"E0603", "bad_csv_row", "a row is not two finite numbers"},
 };
 
-static_assert(codes.size() == static_cast<std::size_t>(Code::bad_csv_row) + 1, "one entry per code, in the order of Code");
+static_assert(codes.size() == static_cast<std::size_t>(Code::unknown_step) + 1, "one entry per code, in the order of Code");
 
 }  // namespace
 

@@ -78,8 +78,6 @@ enum class Code : unsigned char {
     unknown_keyboard_key,
 
     unknown_step,
-    bad_csv_header,
-    bad_csv_row,
 };
 
 struct ErrorCode {

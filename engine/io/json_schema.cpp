@@ -5,7 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "engine/core/color.h"
+#include "engine/io/field_json.h"
+#include "engine/io/limits.h"
 #include "engine/io/quantity.h"
 #include "engine/scene/part_traits.h"
 
@@ -14,133 +15,149 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* name_pattern = "^[a-z_][a-z0-9_]*$";
+
 Json reference(const std::string& definition) { return {{"$ref", "#/definitions/" + definition}}; }
 
-/// A bare number, or a text of digits and a unit that fits. Ranges can only be told of bare numbers: the reader checks the rest.
-Json number_schema(const FieldMeta& meta, bool integer) {
-    Json bare{{"type", integer ? "integer" : "number"}};
-    if (std::isfinite(meta.min.value)) bare[meta.min.open ? "exclusiveMinimum" : "minimum"] = meta.min.value;
-    if (std::isfinite(meta.max.value)) bare[meta.max.open ? "exclusiveMaximum" : "maximum"] = meta.max.value;
-    std::vector<std::string> suffixes;
-    for (const UnitSuffix& suffix : unit_suffixes())
-        if (suffix.unit == meta.unit) suffixes.emplace_back(suffix.text);
-    if (integer || suffixes.empty()) return bare;
-    std::string alternatives;
-    for (const std::string& suffix : suffixes) {
-        std::string escaped;
-        for (const char c : suffix) {
-            if (c == '^' || c == '.' || c == '/') escaped += '\\';
-            escaped += c;
-        }
-        alternatives += (alternatives.empty() ? "" : "|") + escaped;
-    }
-    const Json spelled{{"type", "string"},
-                       {"pattern", fmt::format("^[+-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+-]?[0-9]+)? ?({})$", alternatives)}};
-    return {{"anyOf", Json::array({bare, spelled})}};
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) out += c == '^' ? std::string("\\^") : std::string(1, c);
+    return out;
 }
 
-Json pair_of(const Json& number) {
-    return {{"type", "array"}, {"items", number}, {"minItems", 2}, {"maxItems", 2}};
+/// A number with one of the unit's suffixes, or without.
+std::string quantity_pattern(Unit unit) {
+    std::string suffixes;
+    for (const UnitSuffix& s : unit_suffixes())
+        if (s.unit == unit) suffixes += (suffixes.empty() ? "" : "|") + escaped(s.text);
+    const std::string number = R"([+-]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+    return suffixes.empty() ? fmt::format("^{}$", number) : fmt::format("^{}({})?$", number, suffixes);
+}
+
+Json number_schema(const FieldMeta& meta) {
+    Json bare{{"type", "number"}};
+    if (std::isfinite(meta.min.value)) bare[meta.min.open ? "exclusiveMinimum" : "minimum"] = meta.min.value;
+    if (std::isfinite(meta.max.value)) bare[meta.max.open ? "exclusiveMaximum" : "maximum"] = meta.max.value;
+    return {{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}}}};
+}
+
+Json pair_schema(const FieldMeta& meta) {
+    return {{"type", "array"}, {"items", number_schema(meta)}, {"minItems", 2}, {"maxItems", 2}};
+}
+
+Json kind_schema(const FieldType& field) {
+    switch (field.kind) {
+        case FieldKind::boolean: return {{"type", "boolean"}};
+        case FieldKind::integer: {
+            Json out{{"type", "integer"}};
+            if (std::isfinite(field.meta.min.value)) out["minimum"] = std::ceil(field.meta.min.value);
+            if (std::isfinite(field.meta.max.value)) out["maximum"] = std::floor(field.meta.max.value);
+            return out;
+        }
+        case FieldKind::number: return number_schema(field.meta);
+        case FieldKind::vec2: return pair_schema(field.meta);
+        case FieldKind::points: return {{"type", "array"}, {"items", pair_schema(field.meta)}, {"maxItems", Limits{}.points}};
+        case FieldKind::choice: return {{"enum", field.choices}};
+        case FieldKind::text: return {{"type", {"string", "number", "boolean"}}};
+        case FieldKind::color: return {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};
+        case FieldKind::id: return {{"type", "string"}, {"pattern", name_pattern}};
+        case FieldKind::names: return reference("names");
+    }
+    return Json::object();
 }
 
 Json field_schema(const FieldType& field) {
-    switch (field.kind) {
-        case FieldKind::boolean: return {{"type", "boolean"}};
-        case FieldKind::integer: return number_schema(field.meta, true);
-        case FieldKind::number: return number_schema(field.meta, false);
-        case FieldKind::vec2: return pair_of(number_schema(field.meta, false));
-        case FieldKind::points: return {{"type", "array"}, {"items", pair_of(number_schema(field.meta, false))}};
-        case FieldKind::choice: return {{"enum", field.choices}};
-        case FieldKind::color: return reference("color");
-        case FieldKind::id: return reference("id");
-        case FieldKind::names: return reference("names");
-        case FieldKind::text: return {{"type", "string"}};
-    }
-    return {};
+    Json out = kind_schema(field);
+    if (out.contains("$ref")) out = {{"allOf", {out}}};  // draft-07 ignores what stands beside a $ref
+    out["description"] = field.meta.doc;
+    if (!field.meta.required) out["default"] = value_json<Json>(field.initial);
+    return out;
 }
 
-/// The value of a one-key node, or a record.
-Json fields_schema(const NodeType& type, const std::string& children_definition) {
+/// Which list of nodes a type's children come from.
+std::string child_definition(const NodeType& type) { return type.part && type.part->role == Role::group ? "scene_node" : "shape_node"; }
+
+Json type_schema(const NodeType& type) {
     Json properties = Json::object(), required = Json::array();
     for (const FieldType& field : type.fields) {
-        Json schema = field_schema(field);
-        schema["description"] = field.meta.doc;
-        properties[std::string(field.key)] = std::move(schema);
+        properties[std::string(field.key)] = field_schema(field);
         if (field.meta.required) required.push_back(field.key);
     }
-    const ChildCount& count = type.meta.children;
-    if (count.max > 0) {
-        Json children{{"type", "array"}, {"items", reference(children_definition)}, {"minItems", count.min}};
-        if (count.max != any_number) children["maxItems"] = count.max;
-        properties["children"] = std::move(children);
-        if (count.min > 0) required.push_back("children");
+    const ChildCount children = type.meta.children;
+    if (children.max > 0) {
+        Json list{{"type", "array"}, {"items", reference(child_definition(type))}, {"minItems", children.min}};
+        if (children.max != any_number) list["maxItems"] = children.max;
+        properties["children"] = list;
+        if (children.min > 0) required.push_back("children");
     }
-    Json out{{"type", "object"}, {"description", type.meta.doc}, {"properties", properties}, {"additionalProperties", false}};
+    Json out{{"description", type.meta.doc}, {"type", required.empty() ? Json::array({"object", "null"}) : Json("object")}, {"additionalProperties", false}, {"properties", properties}};
     if (!required.empty()) out["required"] = required;
-    // `- spawn:` without a value is a node with all its defaults.
-    if (required.empty()) out["type"] = Json::array({"object", "null"});
     return out;
 }
 
-bool is_shape(const NodeType& type) {
-    return type.meta.kind == NodeKind::shape || type.meta.kind == NodeKind::operation;
-}
-
-/// A map with exactly one key, the type: an editor can then say which field of which type is wrong.
-template <class Belongs>
-Json one_key_node(const Catalogue& catalogue, Belongs belongs) {
+/// A map with exactly one key: an error then names that node's own field, not "no alternative matched".
+Json one_key_node(const Catalogue& catalogue, bool with_parts) {
     Json properties = Json::object();
-    for (const NodeType& type : catalogue.types())
-        if (belongs(type)) properties[std::string(type.key())] = reference("node_" + std::string(type.key()));
-    return {{"type", "object"}, {"properties", properties}, {"additionalProperties", false}, {"minProperties", 1}, {"maxProperties", 1}};
+    for (const NodeType& type : catalogue.types()) {
+        const NodeKind kind = type.meta.kind;
+        if (kind == NodeKind::shape || kind == NodeKind::operation || (with_parts && kind == NodeKind::part))
+            properties[std::string(type.key())] = reference(std::string(type.key()));
+    }
+    return {{"type", "object"}, {"minProperties", 1}, {"maxProperties", 1}, {"additionalProperties", false}, {"properties", properties}};
 }
 
-Json definitions(const Catalogue& catalogue) {
-    const Json id{{"type", "string"}, {"pattern", "^[a-z_][a-z0-9_]*$"}};
-    Json out{{"id", id},
-             {"names", {{"anyOf", Json::array({Json{{"type", "string"}}, Json{{"type", "array"}, {"items", {{"type", "string"}}}}})}}},
-             {"color", {{"anyOf", Json::array({Json{{"type", "string"}, {"pattern", "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"}},
-                                               Json{{"enum", color_names()}}})}}},
-             {"shape", one_key_node(catalogue, is_shape)},
-             {"scene_node", one_key_node(catalogue, [](const NodeType& t) { return t.meta.kind != NodeKind::record; })}};
-    for (const NodeType& type : catalogue.types()) {
-        const bool group = type.part && type.part->role == Role::group;
-        const std::string prefix = type.meta.kind == NodeKind::record ? "" : "node_";
-        out[prefix + std::string(type.key())] = fields_schema(type, group ? "scene_node" : "shape");
-    }
-    return out;
+Json one_or_list(const Json& item) { return {{"anyOf", {item, {{"type", "array"}, {"items", item}}}}}; }
+
+FieldMeta unit_meta(Unit unit) {
+    FieldMeta meta;
+    meta.unit = unit;
+    return meta;
 }
 
 Json test_schema() {
-    const Json point = pair_of({{"anyOf", Json::array({Json{{"type", "number"}}, Json{{"type", "string"}}})}});
-    const Json launch{{"type", "object"}, {"properties", {{"at", point}, {"velocity", point}}}, {"additionalProperties", false}};
+    FieldMeta run = unit_meta(Unit::second);
+    run.min = above(0);
+    const Json launch{{"type", "object"},
+                      {"additionalProperties", false},
+                      {"required", {"at"}},
+                      {"properties", {{"at", pair_schema(unit_meta(Unit::metre))}, {"velocity", pair_schema(unit_meta(Unit::metre_per_second))}}}};
     return {{"type", "object"},
+            {"additionalProperties", false},
+            {"required", {"expect"}},
             {"properties",
-             {{"name", {{"type", "string"}}},
-              {"launch", {{"anyOf", Json::array({launch, Json{{"type", "array"}, {"items", launch}}})}}},
-              {"run", {{"type", Json::array({"number", "string"})}}},
-              {"expect", {{"anyOf", Json::array({Json{{"type", "string"}}, Json{{"type", "array"}, {"items", {{"type", "string"}}}}})}}}}},
-            {"additionalProperties", false}};
+             {{"name", {{"type", {"string", "number", "boolean"}}}},
+              {"launch", one_or_list(launch)},
+              {"run", number_schema(run)},
+              {"expect", one_or_list({{"type", "string"}, {"pattern", "^[^=!<>]+(==|!=|<=|>=|<|>)[^=!<>]+$"}})}}}};
+}
+
+Json named_map(const Json& value) {
+    return {{"type", {"object", "null"}}, {"propertyNames", {{"pattern", name_pattern}}}, {"additionalProperties", value}};
 }
 
 }  // namespace
 
 std::string json_schema(const Catalogue& catalogue) {
-    const Json properties{
-        {"pinfield", {{"const", 1}, {"description", "Version of the format."}}},
-        {"table", reference("table")},
-        {"physics", reference("physics")},
-        {"materials", {{"type", "object"}, {"additionalProperties", reference("material")}}},
-        {"scene", {{"type", "array"}, {"items", reference("scene_node")}}},
-        {"inputs", {{"type", "object"}, {"additionalProperties", reference("names")}}},
-        {"tests", {{"type", "array"}, {"items", test_schema()}}}};
+    Json definitions = Json::object();
+    definitions["names"] = one_or_list({{"type", "string"}, {"pattern", name_pattern}});
+    definitions["scene_node"] = one_key_node(catalogue, true);
+    definitions["shape_node"] = one_key_node(catalogue, false);
+    for (const NodeType& type : catalogue.types()) definitions[std::string(type.key())] = type_schema(type);
+    const Json keys = one_or_list({{"type", {"string", "integer"}}});
     const Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                       {"title", "Pinfield table"},
                       {"type", "object"},
-                      {"properties", properties},
-                      {"required", Json::array({"pinfield"})},
                       {"additionalProperties", false},
-                      {"definitions", definitions(catalogue)}};
+                      {"required", {"pinfield"}},
+                      {"properties",
+                       {{"pinfield", {{"description", "Version of the format."}, {"const", 1}}},
+                        {"table", reference("table")},
+                        {"physics", reference("physics")},
+                        {"materials", named_map(reference("material"))},
+                        {"scene", {{"type", {"array", "null"}}, {"items", reference("scene_node")}}},
+                        {"inputs", named_map(keys)},
+                        {"tests", {{"type", {"array", "null"}}, {"items", test_schema()}}}}},
+                      {"definitions", definitions}};
     return schema.dump(2) + "\n";
 }
 

@@ -1,4 +1,4 @@
-// JSON Schema (draft-07) of the table format, generated from the catalogue, for editors that complete and check YAML.
+// JSON Schema of the table format, for text editors that complete and check YAML.
 #pragma once
 #include <string>
 
@@ -6,6 +6,8 @@
 
 namespace pinfield {
 
+/// Draft-07. Whatever the reader accepts is valid, but for the spellings only YAML has; what needs more than one value to judge
+/// (contracts, references, ranges of numbers with a unit) is left to the reader.
 std::string json_schema(const Catalogue& catalogue);
 
 }  // namespace pinfield

@@ -6,156 +6,148 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/numbers.h"
+#include "engine/io/field_json.h"
+#include "engine/io/value_writer.h"
 
 namespace pinfield {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view word(Side side) { return side == Side::exact ? "exact" : "bound"; }
+const char* word(Side side) { return side == Side::exact ? "exact" : "bound"; }
 
-Json to_json(const Value& value) {
-    if (const bool* b = std::get_if<bool>(&value)) return *b;
-    if (const std::int64_t* i = std::get_if<std::int64_t>(&value)) return *i;
-    if (const double* d = std::get_if<double>(&value)) return *d;
-    if (const Vec2* v = std::get_if<Vec2>(&value)) return Json::array({v->x(), v->y()});
-    if (const std::string* s = std::get_if<std::string>(&value)) return *s;
-    if (const auto* names = std::get_if<std::vector<std::string>>(&value)) return *names;
-    Json points = Json::array();
-    for (const Vec2& p : std::get<std::vector<Vec2>>(value)) points.push_back({p.x(), p.y()});
-    return points;
+Json field_json(const FieldType& field) {
+    return {{"key", field.key},
+            {"type", name(field.kind)},
+            {"unit", symbol(field.meta.unit)},
+            {"default", field.meta.required ? Json(nullptr) : value_json<Json>(field.initial)},
+            {"min", number_json<Json>(field.meta.min.value)},
+            {"min_open", field.meta.min.open},
+            {"doc", field.meta.doc}};
 }
 
-/// Infinite limits are no limits.
-Json limit(double v) { return std::isfinite(v) ? Json(v) : Json(); }
-
-Json to_json(const FieldType& field) {
-    Json out{{"key", field.key},
-             {"type", name(field.kind)},
-             {"unit", symbol(field.meta.unit)},
-             {"default", field.meta.required ? Json() : to_json(field.initial)},
-             {"min", limit(field.meta.min.value)},
-             {"min_open", field.meta.min.open},
-             {"max", limit(field.meta.max.value)},
-             {"max_open", field.meta.max.open},
-             {"required", field.meta.required},
-             {"common", field.common},
-             {"doc", field.meta.doc}};
-    if (!field.choices.empty()) out["choices"] = field.choices;
-    return out;
-}
-
-Json to_json(const NodeType& type) {
+Json type_json(const NodeType& type) {
+    const Exactness& e = type.meta.exactness;
+    Json fields = Json::array();
+    for (const FieldType& field : type.fields) fields.push_back(field_json(field));
     const ChildCount& children = type.meta.children;
-    Json out{{"key", type.key()},
-             {"kind", name(type.meta.kind)},
-             {"doc", type.meta.doc},
-             {"exactness",
-              {{"outside", word(type.meta.exactness.outside)},
-               {"inside", word(type.meta.exactness.inside)},
-               {"lipschitz", type.meta.exactness.lipschitz}}},
-             {"fields", Json::array()},
-             {"contracts", Json::array()},
-             {"children", {{"min", children.min}, {"max", children.max == any_number ? Json() : Json(children.max)}}}};
-    for (const FieldType& field : type.fields) out["fields"].push_back(to_json(field));
-    for (const ContractType& contract : type.contracts) out["contracts"].push_back(contract.sentence);
-    return out;
+    return {{"key", type.key()},
+            {"kind", name(type.meta.kind)},
+            {"doc", type.meta.doc},
+            {"exactness", {{"outside", word(e.outside)}, {"inside", word(e.inside)}, {"lipschitz", number_json<Json>(e.lipschitz)}}},
+            {"fields", fields},
+            {"children", {{"min", children.min}, {"max", children.max == any_number ? Json(nullptr) : Json(children.max)}}}};
 }
 
 std::string default_text(const FieldType& field) {
     if (field.meta.required) return "required";
-    const std::string text = to_json(field.initial).dump();
-    return text == "\"\"" || text == "[]" ? "none" : text;
+    const auto* text = std::get_if<std::string>(&field.initial);
+    const auto* names = std::get_if<std::vector<std::string>>(&field.initial);
+    if ((text && text->empty()) || (names && names->empty())) return "none";
+    return write_value(field, field.initial);
 }
 
-/// "> 0", "0 ... 1", "" when there is no limit.
-std::string range_text(const FieldMeta& meta) {
-    const bool low = std::isfinite(meta.min.value), high = std::isfinite(meta.max.value);
-    if (low && high)
-        return fmt::format("{}{} ... {}{}", meta.min.open ? "above " : "", to_text(meta.min.value), meta.max.open ? "below " : "",
-                           to_text(meta.max.value));
-    if (low) return fmt::format("{} {}", meta.min.open ? ">" : ">=", to_text(meta.min.value));
-    if (high) return fmt::format("{} {}", meta.max.open ? "<" : "<=", to_text(meta.max.value));
-    return {};
+/// "> 0, <= 1", the words of a choice, or nothing.
+std::string range_text(const FieldType& field) {
+    if (field.kind == FieldKind::choice) return fmt::format("{}", fmt::join(field.choices, " | "));
+    std::string out;
+    const FieldMeta& m = field.meta;
+    if (std::isfinite(m.min.value)) out = fmt::format("{} {}", m.min.open ? ">" : ">=", to_text(m.min.value));
+    if (std::isfinite(m.max.value)) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", m.max.open ? "<" : "<=", to_text(m.max.value));
+    return out;
 }
 
-std::string children_text(const ChildCount& count) {
-    if (count.max == 0) return "none";
-    if (count.max == any_number) return fmt::format("{} or more", count.min);
-    return count.min == count.max ? fmt::format("{}", count.min) : fmt::format("{} to {}", count.min, count.max);
+std::string children_text(const NodeType& type) {
+    const ChildCount c = type.meta.children;
+    if (c.max == 0) return "none";
+    if (c.max == any_number) return c.min == 0 ? "any number" : fmt::format("{} or more", c.min);
+    return c.min == c.max ? fmt::format("{}", c.min) : fmt::format("{} to {}", c.min, c.max);
 }
 
 std::string exactness_text(const NodeType& type) {
     const Exactness& e = type.meta.exactness;
-    return fmt::format("{} outside, {} inside, Lipschitz {}", word(e.outside), word(e.inside), to_text(e.lipschitz));
+    return fmt::format("{} outside, {} inside, Lipschitz constant {}", word(e.outside), word(e.inside), to_text(e.lipschitz));
 }
 
-std::string what_it_takes(const FieldType& field) {
-    std::string out(name(field.kind));
-    if (!field.choices.empty()) out = fmt::format("{}", fmt::join(field.choices, " or "));
-    if (const std::string_view unit = symbol(field.meta.unit); !unit.empty()) out += fmt::format(", {}", unit);
-    if (const std::string range = range_text(field.meta); !range.empty()) out += fmt::format(", {}", range);
+bool has_field(const NodeType& type) { return type.meta.kind == NodeKind::shape || type.meta.kind == NodeKind::operation; }
+
+/// The common fields are the same for all: they are told once, after the last node.
+std::vector<FieldType> common_fields(const std::vector<const NodeType*>& types) {
+    std::vector<FieldType> out;
+    for (const NodeType* type : types) {
+        for (const FieldType& field : type->fields)
+            if (field.common) out.push_back(field);
+        if (!out.empty()) break;
+    }
     return out;
 }
 
-bool has_distance(const NodeType& type) { return type.kernels != nullptr; }
+std::string field_text(const FieldType& field) {
+    const std::string unit(symbol(field.meta.unit)), range = range_text(field);
+    return fmt::format("    {:<14} {:<13} {:<8} {:<22} {:<24} {}\n", field.key, name(field.kind), unit, default_text(field), range, field.meta.doc);
+}
+
+/// A cell of a Markdown table holds no bare bar.
+std::string cell(std::string_view text) {
+    std::string out;
+    for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+    return out;
+}
+
+std::string field_table(const std::vector<FieldType>& fields) {
+    std::string out = "| field | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
+    for (const FieldType& f : fields)
+        out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", f.key, name(f.kind), symbol(f.meta.unit), cell(default_text(f)), cell(range_text(f)), cell(f.meta.doc));
+    return out;
+}
+
+std::vector<FieldType> own_fields(const NodeType& type) { return {type.fields.begin(), type.fields.begin() + type.own_fields}; }
 
 }  // namespace
 
-std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, const std::string& key) {
+std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, std::string_view key) {
     std::vector<const NodeType*> out;
     for (const NodeType& type : catalogue.types())
         if (key.empty() ? type.meta.kind != NodeKind::record : type.key() == key) out.push_back(&type);
     return out;
 }
 
+std::string reference_json(const std::vector<const NodeType*>& types) {
+    Json out = Json::array();
+    for (const NodeType* type : types) out.push_back(type_json(*type));
+    return out.dump(2) + "\n";
+}
+
 std::string reference_text(const std::vector<const NodeType*>& types) {
     std::string out;
     for (const NodeType* type : types) {
         out += fmt::format("{} ({}): {}\n", type->key(), name(type->meta.kind), type->meta.doc);
-        for (const FieldType& field : type->fields)
-            if (!field.common)
-                out += fmt::format("  {:<14} {} [{}]  {}\n", field.key, what_it_takes(field), default_text(field), field.meta.doc);
-        for (const ContractType& contract : type->contracts) out += fmt::format("  must hold: {}\n", contract.sentence);
-        if (type->meta.children.max > 0) out += fmt::format("  children: {}\n", children_text(type->meta.children));
-        if (has_distance(*type)) out += fmt::format("  distance: {}\n", exactness_text(*type));
+        if (has_field(*type)) out += fmt::format("    distance: {}\n", exactness_text(*type));
+        if (type->meta.kind != NodeKind::record) out += fmt::format("    children: {}\n", children_text(*type));
+        for (const FieldType& field : own_fields(*type)) out += field_text(field);
+        for (const ContractType& contract : type->contracts) out += fmt::format("    must hold: {}\n", contract.sentence);
         out += "\n";
+    }
+    if (const auto common = common_fields(types); !common.empty()) {
+        out += "Every scene node also has:\n";
+        for (const FieldType& field : common) out += field_text(field);
     }
     return out;
 }
 
 std::string reference_markdown(const std::vector<const NodeType*>& types) {
-    const auto row = [](const FieldType& field) {
-        return fmt::format("| `{}` | {} | {} | {} |\n", field.key, what_it_takes(field), default_text(field), field.meta.doc);
-    };
-    const std::string head = "| field | takes | default | meaning |\n|---|---|---|---|\n";
     std::string out;
-    const NodeType* with_common = nullptr;
     for (const NodeType* type : types) {
-        out += fmt::format("## {}\n\n{} *{}*", type->key(), type->meta.doc, name(type->meta.kind));
-        if (has_distance(*type)) out += fmt::format(", {}", exactness_text(*type));
-        if (type->meta.children.max > 0) out += fmt::format(", children: {}", children_text(type->meta.children));
-        out += ".\n\n";
-        if (type->own_fields > 0) out += head;
-        for (const FieldType& field : type->fields) {
-            if (!field.common) out += row(field);
-            else with_common = type;
-        }
-        if (type->own_fields > 0) out += "\n";
+        out += fmt::format("## {}\n\n{}\n\n", type->key(), type->meta.doc);
+        out += fmt::format("Kind: {}.", name(type->meta.kind));
+        if (has_field(*type)) out += fmt::format(" Distance: {}.", exactness_text(*type));
+        if (type->meta.kind != NodeKind::record) out += fmt::format(" Children: {}.", children_text(*type));
+        out += "\n\n";
+        if (type->own_fields > 0) out += field_table(own_fields(*type)) + "\n";
         for (const ContractType& contract : type->contracts) out += fmt::format("Must hold: {}.\n\n", contract.sentence);
     }
-    if (with_common) {
-        out += "## Fields of every node\n\n" + head;
-        for (const FieldType& field : with_common->fields)
-            if (field.common) out += row(field);
-    }
+    if (const auto common = common_fields(types); !common.empty()) out += "## Fields of every scene node\n\n" + field_table(common);
     return out;
-}
-
-std::string reference_json(const std::vector<const NodeType*>& types) {
-    Json out = Json::array();
-    for (const NodeType* type : types) out.push_back(to_json(*type));
-    return out.dump(2) + "\n";
 }
 
 }  // namespace pinfield

@@ -1,21 +1,20 @@
-// The reference of all nodes, generated from the catalogue: what `pinfield nodes` prints.
+// What a catalogue holds, for people and for programs.
 #pragma once
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/reflect/catalogue.h"
 
 namespace pinfield {
 
-/// The scene nodes of a catalogue (shapes, operations, parts), in its order; with a key, just that type, a record too.
-/// Empty when there is no such key.
-std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, const std::string& key = {});
+/// All scene nodes, or the one node or record of this key; empty when there is none.
+std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, std::string_view key = {});
 
-/// For a terminal: one paragraph a node.
-std::string reference_text(const std::vector<const NodeType*>& types);
-/// A section with a table a node; the common fields once, at the end.
-std::string reference_markdown(const std::vector<const NodeType*>& types);
-/// An array of {key, kind, doc, exactness, fields, children}; what has no bound or no default is null.
+/// [{key, kind, doc, exactness: {outside, inside, lipschitz}, fields: [{key, type, unit, default, min, min_open, doc}],
+/// children: {min, max}}]; null for an infinite bound, for any number of children and for the default of a required field.
 std::string reference_json(const std::vector<const NodeType*>& types);
+std::string reference_markdown(const std::vector<const NodeType*>& types);
+std::string reference_text(const std::vector<const NodeType*>& types);
 
 }  // namespace pinfield

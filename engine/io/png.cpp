@@ -1,22 +1,23 @@
 #include "engine/io/png.h"
 
+#include <fmt/format.h>
 #include <stb/stb_image_write.h>
-
-#include <cassert>
 
 #include "engine/io/files.h"
 
 namespace pinfield {
 
-Result<bool> write_png(const std::string& path, int width, int height, std::span<const unsigned char> rgb) {
-    assert(rgb.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height) && "three bytes a pixel");
-    std::string file;
-    const auto append = [](void* to, void* bytes, int n) {
-        static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), static_cast<std::size_t>(n));
+Result<bool> write_png(const std::string& path, int width, int height, const std::vector<unsigned char>& pixels) {
+    const std::size_t count = width > 0 && height > 0 ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
+    const int channels = count > 0 && pixels.size() == 3 * count ? 3 : count > 0 && pixels.size() == 4 * count ? 4 : 0;
+    if (channels == 0) return failure(fmt::format("cannot write {}: {} bytes are no picture of {} x {} pixels", path, pixels.size(), width, height));
+    std::string bytes;
+    const auto append = [](void* out, void* data, int size) {
+        static_cast<std::string*>(out)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
     };
-    if (!stbi_write_png_to_func(append, &file, width, height, 3, rgb.data(), 3 * width))
-        return failure("cannot encode " + path + " as PNG");
-    return write_file(path, file);
+    if (!stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels))
+        return failure(fmt::format("cannot encode {}", path));
+    return write_file(path, bytes);
 }
 
 }  // namespace pinfield

@@ -1,13 +1,13 @@
-// Pictures out.
+// Pictures to files.
 #pragma once
-#include <span>
 #include <string>
+#include <vector>
 
 #include "engine/core/result.h"
 
 namespace pinfield {
 
-/// Writes an 8-bit RGB image, 3 * width * height bytes, row 0 at the top. The file appears whole or not at all.
-Result<bool> write_png(const std::string& path, int width, int height, std::span<const unsigned char> rgb);
+/// Writes 8-bit pixels, rows from the top, 3 (RGB) or 4 (RGBA) bytes each, as told by the number of them.
+Result<bool> write_png(const std::string& path, int width, int height, const std::vector<unsigned char>& pixels);
 
 }  // namespace pinfield
