@@ -1,0 +1,209 @@
+// Nodes with one fault each, for tests of the laws only: a law that lets its fault pass is no law.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/reflect/describe.h"
+#include "engine/sdf/kernels.h"
+#include "engine/sdf/outline.h"
+#include "engine/sdf/scalar.h"
+
+namespace pinfield::sdf::faulty {
+
+/// What the faulty discs share: all but the distance is right, and a node says what else is wrong.
+inline constexpr double r = 0.04;
+inline void disc_outline(Outline& out) { out.push_back(Piece::circle({0, 0}, r)); }
+
+/// 0/0 at the centre.
+template <class Real>
+struct NanAtCentre {
+    Real distance(const Point<Real>& p) const { return dot(p, p) / norm(p) - Real(r); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() { return shape<NanAtCentre>({.key = "nan_at_centre"}, fields()); }
+};
+
+/// What a triangle with collinear corners used to be in many a library.
+template <class Real>
+struct ZeroPlane {
+    Real distance(const Point<Real>& p) const { return p.x * Real(0); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() {
+        return shape<ZeroPlane>({.key = "zero_plane", .exactness = {Side::bound, Side::bound}}, fields());
+    }
+};
+
+/// A seam on the y axis, as of a repetition of something lopsided.
+template <class Real>
+struct Jump {
+    Real distance(const Point<Real>& p) const { return select(p.x < Real(0), Real(0.9), Real(1)) * (norm(p) - Real(r)); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() {
+        return shape<Jump>({.key = "jump", .exactness = {Side::bound, Side::bound}}, fields());
+    }
+};
+
+/// Claims more distance than there is, slowly enough to keep its Lipschitz constant.
+template <class Real>
+struct OverEstimate {
+    Real distance(const Point<Real>& p) const { return norm(p) - Real(0.9 * r); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    void outline(Outline& out) const { disc_outline(out); }
+    static constexpr auto describe() {
+        return shape<OverEstimate>({.key = "over_estimate", .exactness = {Side::bound, Side::bound}}, fields());
+    }
+};
+
+/// Inside out on the axis of symmetry alone, where random points never fall.
+template <class Real>
+struct WrongSignOnAxis {
+    Real distance(const Point<Real>& p) const {
+        const Real d = norm(p) - Real(r);
+        return select(abs(p.x) <= Real(0), -d, d);
+    }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    void outline(Outline& out) const { disc_outline(out); }
+    static constexpr auto describe() { return shape<WrongSignOnAxis>({.key = "wrong_sign_on_axis"}, fields()); }
+};
+
+/// Inside out everywhere.
+template <class Real>
+struct InsideOut {
+    Real distance(const Point<Real>& p) const { return Real(r) - norm(p); }
+    Box2 bounds() const { return Box2::everything(); }
+    void outline(Outline& out) const { disc_outline(out); }
+    static constexpr auto describe() { return shape<InsideOut>({.key = "inside_out"}, fields()); }
+};
+
+/// |x| by way of a square root, whose derivative at 0 is lost: no normal on the axis.
+template <class Real>
+struct NoGradientOnAxis {
+    Real distance(const Point<Real>& p) const { return sqrt(p.x * p.x) - Real(r); }
+    Box2 bounds() const { return {{-r, -infinity}, {r, infinity}}; }
+    static constexpr auto describe() { return shape<NoGradientOnAxis>({.key = "no_gradient_on_axis"}, fields()); }
+};
+
+/// The gradient of something else: a derivative was dropped.
+template <class Real>
+struct LostDerivative {
+    Real distance(const Point<Real>& p) const { return norm(Point<Real>{p.x, Real(frozen(p.y))}) - Real(r); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() {
+        return shape<LostDerivative>({.key = "lost_derivative", .exactness = {Side::bound, Side::bound}}, fields());
+    }
+};
+
+template <class Real>
+struct BoundsTooSmall {
+    Real distance(const Point<Real>& p) const { return norm(p) - Real(r); }
+    Box2 bounds() const { return Box2::centred(r, 0.99 * r); }
+    static constexpr auto describe() { return shape<BoundsTooSmall>({.key = "bounds_too_small"}, fields()); }
+};
+
+template <class Real>
+struct BoundsTooLarge {
+    Real distance(const Point<Real>& p) const { return norm(p) - Real(r); }
+    Box2 bounds() const { return Box2::centred(2 * r, r); }
+    void outline(Outline& out) const { disc_outline(out); }
+    static constexpr auto describe() { return shape<BoundsTooLarge>({.key = "bounds_too_large"}, fields()); }
+};
+
+/// Loses digits in single precision by adding and taking away something large.
+template <class Real>
+struct PacketOff {
+    Real distance(const Point<Real>& p) const { return norm(p) + Real(10) - Real(r) - Real(10); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() {
+        return shape<PacketOff>({.key = "packet_off", .exactness = {Side::bound, Side::bound}}, fields());
+    }
+};
+
+template <class Real>
+struct WrongLipschitz {
+    Real distance(const Point<Real>& p) const { return norm(p) - Real(r); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() { return shape<WrongLipschitz>({.key = "wrong_lipschitz", .exactness = {.lipschitz = 0.9}}, fields()); }
+};
+
+/// A square by the largest coordinate: a bound beyond the corners, but called exact.
+template <class Real>
+struct WrongClaim {
+    Real distance(const Point<Real>& p) const { return max(abs(p.x), abs(p.y)) - Real(r); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    void outline(Outline& out) const {
+        const Vec2 corners[] = {{-r, -r}, {r, -r}, {r, r}, {-r, r}};
+        for (int i = 0; i < 4; ++i) out.push_back(Piece::segment(corners[i], corners[(i + 1) % 4]));
+    }
+    static constexpr auto describe() { return shape<WrongClaim>({.key = "wrong_claim"}, fields()); }
+};
+
+/// An exact distance of some other figure: only its foot point gives it away, for it has no outline to compare with.
+template <class Real>
+struct HalfDistance {
+    Real distance(const Point<Real>& p) const { return Real(0.5) * (norm(p) - Real(r)); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() { return shape<HalfDistance>({.key = "half_distance"}, fields()); }
+};
+
+/// Describes itself as exact, computes otherwise.
+template <class Real>
+struct TwoClaims {
+    Real distance(const Point<Real>& p) const { return norm(p) - Real(r); }
+    Exactness exactness() const { return {.inside = Side::bound}; }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    static constexpr auto describe() { return shape<TwoClaims>({.key = "two_claims"}, fields()); }
+};
+
+/// A union that is promised exact inside.
+template <class Real>
+struct UnionSaidExact {
+    static Real combine(const Real& a, const Real& b) { return min(a, b); }
+    static Exactness exactness(std::span<const Exactness>) { return {}; }
+    static Box2 bounds(std::span<const Box2> children) {
+        Box2 out;
+        for (const Box2& child : children) out = out.merged(child);
+        return out;
+    }
+    static constexpr auto describe() { return operation<UnionSaidExact>({.key = "union_said_exact", .children = {1, any_number}}, fields()); }
+};
+
+/// A blend that digs deeper than it says.
+template <class Real>
+struct SlackTooSmall {
+    Real k = Real(0.01);
+    Real combine(const Real& a, const Real& b) const { return min(a, b) - k; }
+    static Real hard(const Real& a, const Real& b) { return min(a, b); }
+    Slack slack() const { return {.below = 0.5 * k}; }
+    static Exactness exactness(std::span<const Exactness>) { return {Side::bound, Side::bound}; }
+    static Box2 bounds(std::span<const Box2>) { return Box2::everything(); }
+    static constexpr auto describe() {
+        return operation<SlackTooSmall>({.key = "slack_too_small", .exactness = {Side::bound, Side::bound}, .children = {1, any_number}},
+                                        fields(field("k", &SlackTooSmall::k, {.unit = Unit::metre, .min = above(0)})));
+    }
+};
+
+/// A mean whose derivatives are those of a minimum.
+template <class Real>
+struct WrongPartials {
+    static Real combine(const Real& a, const Real& b) { return min(a, b) + Real(0.25) * (Real(frozen(b)) - Real(frozen(a))); }
+    static Real hard(const Real& a, const Real& b) { return min(a, b); }
+    static Slack slack() { return {1, 1}; }
+    static Exactness exactness(std::span<const Exactness>) { return {Side::bound, Side::bound}; }
+    static Box2 bounds(std::span<const Box2>) { return Box2::everything(); }
+    static constexpr auto describe() {
+        return operation<WrongPartials>({.key = "wrong_partials", .exactness = {Side::bound, Side::bound}, .children = {1, any_number}}, fields());
+    }
+};
+
+/// Says it grows by less than it does.
+template <class Real>
+struct WrongAffine {
+    static Real modify(const Real& d) { return d - Real(0.01); }
+    static Affine affine() { return {.offset = -0.005}; }
+    static Exactness exactness(std::span<const Exactness> children) { return {children[0].outside, Side::bound}; }
+    static Box2 bounds(std::span<const Box2> children) { return children[0].grown(0.01); }
+    static constexpr auto describe() {
+        return operation<WrongAffine>({.key = "wrong_affine", .exactness = {.inside = Side::bound}, .children = {1, 1}}, fields());
+    }
+};
+
+}  // namespace pinfield::sdf::faulty
