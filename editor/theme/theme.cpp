@@ -27,8 +27,8 @@ ImFont* add_font(const EmbeddedFont& font, float size) {
 
 void set_colors(ImGuiStyle& style) {
     using namespace palette;
-    const auto set = [&](ImGuiCol slot, const ImVec4& color) { style.Colors[slot] = color; };
-    const ImVec4 none{0, 0, 0, 0};
+    const auto set = [&](ImGuiCol slot, const Tint& color) { style.Colors[slot] = color; };
+    const Tint none{0, 0, 0, 0};
     set(ImGuiCol_Text, text);
     set(ImGuiCol_TextDisabled, faint);
     set(ImGuiCol_WindowBg, panel);
@@ -57,11 +57,11 @@ void set_colors(ImGuiStyle& style) {
     set(ImGuiCol_HeaderActive, accent_deep);
     set(ImGuiCol_Separator, line);
     set(ImGuiCol_NavHighlight, accent);
-    set(ImGuiCol_TextSelectedBg, faded(accent, 0.35f));
-    set(ImGuiCol_ModalWindowDimBg, faded(hex(0x0b0c0e), 0.6f));
+    set(ImGuiCol_TextSelectedBg, accent.faded(0.35f));
+    set(ImGuiCol_ModalWindowDimBg, hex(0x0b0c0e).faded(0.6f));
     set(ImGuiCol_TableBorderLight, line);
     set(ImGuiCol_TableBorderStrong, line);
-    set(ImGuiCol_TableRowBgAlt, faded(text, 0.02f));
+    set(ImGuiCol_TableRowBgAlt, text.faded(0.02f));
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ std::vector<Rgb> material_colors(const Program& program) {
             colors.push_back({static_cast<float>(color->r) / 255, static_cast<float>(color->g) / 255,
                               static_cast<float>(color->b) / 255});
         else
-            colors.push_back(rgb(palette::hex(usual[i % usual.size()])));
+            colors.push_back(palette::hex(usual[i % usual.size()]).rgb());
     }
     return colors;
 }

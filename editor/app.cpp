@@ -1,0 +1,192 @@
+#include "editor/app.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "editor/platform/keys.h"
+#include "engine/io/png.h"
+
+namespace pinfield::editor {
+
+namespace {
+
+constexpr double scripted_frame = 1.0 / 60;   ///< seconds, for what only moves on the screen
+constexpr double longest_frame = 0.05;        ///< after a stall the table goes on, it does not catch up
+constexpr double disk_period = 0.5;           ///< seconds between looks at the file
+
+/// Actions name punctuation keys by the character on them.
+std::string character_of(std::string_view key) {
+    static constexpr std::pair<std::string_view, char> keys[] = {
+        {"Period", '.'}, {"Comma", ','}, {"Slash", '/'}, {"Minus", '-'}, {"Equal", '='}, {"Semicolon", ';'},
+        {"LeftBracket", '['}, {"RightBracket", ']'}, {"Apostrophe", '\''}, {"Backslash", '\\'}, {"GraveAccent", '`'}};
+    for (const auto& [name, character] : keys)
+        if (name == key) return std::string(1, character);
+    if (key.starts_with("Key") && key.size() == 4) return std::string(key.substr(3));
+    return key == "Escape" ? "Esc" : std::string(key);
+}
+
+double round_spacing(double pixels_per_metre) {
+    for (const double spacing : {1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2})
+        if (spacing * pixels_per_metre >= 9) return spacing;
+    return 0.5;
+}
+
+std::string window_title(const Document& document) {
+    const std::string& path = document.path();
+    const std::string name = path.empty() ? "Untitled" : path.substr(path.find_last_of('/') + 1);
+    return (document.dirty() ? "\u2022 " : "") + name + " \u2013 Pinfield";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<App>> App::open(AppState state, const AppOptions& options) {
+    Result<std::unique_ptr<Window>> window = Window::open("Pinfield", options.width, options.height);
+    if (!window) return tl::unexpected(window.error());
+    return std::unique_ptr<App>(new App(std::move(state), std::move(*window), options));
+}
+
+App::App(AppState state, std::unique_ptr<Window> window, const AppOptions& options)
+    : state_(std::move(state)),
+      options_(options),
+      window_(std::move(window)),
+      bridge_(*window_),
+      table_painter_(window_->gl()),
+      outline_painter_(window_->gl()) {
+    window_->listen(options.listen);
+    ui_.theme = make_theme(static_cast<float>(window_->content_scale()), static_cast<float>(options.font_size));
+    last_seconds_ = window_->seconds();
+}
+
+void App::run() {
+    while (!state_.quit) frame();
+}
+
+void App::frame() {
+    const bool fixed = options_.ticks_per_frame > 0;
+    const double now = window_->seconds();
+    const double seconds = fixed ? scripted_frame : std::min(now - last_seconds_, longest_frame);
+    last_seconds_ = now;
+    disk_seconds_ += seconds;
+    if (disk_seconds_ >= disk_period) {
+        disk_seconds_ = 0;
+        if (!state_.document.previewing()) look_at_disk(state_);
+    }
+    for (const WindowEvent& event : window_->take_events()) bridge_.queue(event);
+    for (const WindowEvent& event : bridge_.begin_frame(seconds)) {
+        if (event.kind == WindowEvent::Kind::key) take_key(event.code, event.down);
+        else if (event.kind == WindowEvent::Kind::close) editor::run(state_, "app.quit");
+        else if (event.kind == WindowEvent::Kind::drop) open_file(state_, event.path);
+        else if (event.kind == WindowEvent::Kind::focus && !event.down) state_.session.release_all();
+    }
+    ui_.hovered = {};
+    draw_panels(state_, ui_);
+    // After the panels: what they changed is in the table they are painted over.
+    advance(state_, fixed ? options_.ticks_per_frame : due_ticks(seconds));
+    window_->set_title(window_title(state_.document));
+    paint();
+    bridge_.draw();
+    window_->present();
+}
+
+int App::due_ticks(double seconds) {
+    const double step = state_.session.world().step_length();
+    owed_seconds_ += seconds;
+    const double ticks = std::floor(owed_seconds_ / step);
+    owed_seconds_ -= ticks * step;
+    return static_cast<int>(ticks);
+}
+
+void App::take_key(int code, bool down) {
+    const std::string_view key = key_name(code);
+    if (key == "LeftControl" || key == "RightControl") control_ = down;
+    if (key == "LeftShift" || key == "RightShift") shift_ = down;
+    if (key == "LeftAlt" || key == "RightAlt") alt_ = down;
+    if (!down) {
+        press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
+        return;
+    }
+    const bool asks = state_.prompt || !state_.dialog_action.empty() || state_.show_help;
+    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0;
+    if (asks) return;
+    if (key == "Escape") cancel_drags();
+    const bool plain = !control_ && !alt_;
+    if (typing && (plain || !control_)) return;
+    // The table's own keys come first: a game is to be played with whatever keys its author chose.
+    if (plain && press_key(state_, key, true)) return;
+    std::string chord = control_ ? "Ctrl+" : "";
+    if (alt_) chord += "Alt+";
+    if (shift_) chord += "Shift+";
+    const Action* action = action_of(chord + character_of(key));
+    if (!action) action = action_of(chord + std::string(key));
+    if (action && enabled(state_, action->name)) editor::run(state_, action->name);
+}
+
+void App::cancel_drags() {
+    if (ui_.drag.active()) ui_.drag.cancel(state_.document);
+    if (ui_.scrub.active()) ui_.scrub.cancel(state_.document);
+    ui_.pressed_node = {};
+}
+
+Canvas App::canvas() const {
+    const Vec2 size = window_->size(), framebuffer = window_->framebuffer();
+    const double scale = size.x() > 0 ? framebuffer.x() / size.x() : 1;
+    const View& view = state_.view;
+    Canvas canvas;
+    canvas.framebuffer = framebuffer;
+    canvas.origin = (scale * view.origin).array().round();
+    canvas.size = (scale * view.size).array().round().max(1.0);
+    canvas.centre = view.centre;
+    canvas.pixels_per_metre = scale * view.pixels_per_metre;
+    return canvas;
+}
+
+void App::paint() {
+    const Gl& gl = window_->gl();
+    const Canvas canvas = this->canvas();
+    const auto whole = [](double x) { return static_cast<int>(x); };
+    gl.Disable(GL_SCISSOR_TEST);
+    gl.ClearColor(palette::backdrop.r, palette::backdrop.g, palette::backdrop.b, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Viewport(whole(canvas.origin.x()), whole(canvas.framebuffer.y() - canvas.origin.y() - canvas.size.y()), whole(canvas.size.x()),
+                whole(canvas.size.y()));
+
+    const World& world = state_.session.world();
+    const ProgramPtr& program = world.shared_program();
+    std::vector<MoverPlace> places;
+    for (std::size_t i = 0; i < program->movers.size(); ++i)
+        places.push_back({world.movers()[i].q, state_.session.world_from_mover(static_cast<int>(i))});
+    std::vector<BallMark> balls;
+    for (const Ball& ball : world.balls())
+        if (ball.state != BallState::drained) balls.push_back({ball.position, program->physics.ball_radius, 0});
+
+    TableLook look;
+    look.isolines = state_.view.style == ViewStyle::isolines;
+    look.line_spacing = round_spacing(canvas.pixels_per_metre);
+    look.materials = material_colors(*program);
+    look.floor_low = palette::hex(0x243447).rgb();
+    look.floor_high = palette::hex(0x1d2739).rgb();
+    look.backdrop = palette::backdrop.rgb();
+    table_painter_.draw(program, places, balls, look, canvas);
+    paint_outlines(program, places, canvas);
+    gl.Viewport(0, 0, whole(canvas.framebuffer.x()), whole(canvas.framebuffer.y()));
+}
+
+void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> places, const Canvas& canvas) {
+    const double pixel = ui_.theme.scale;
+    for (const Sensor& sensor : program->sensors) {
+        const NodeId node = program->parts[static_cast<std::size_t>(sensor.part)].origin;
+        outline_painter_.draw(program, places, node, {palette::teal.rgb(), 0.45, 1.2 * pixel, 0.04, 0.10}, canvas);
+    }
+    if (ui_.hovered && ui_.hovered != state_.selection && !ui_.drag.active())
+        outline_painter_.draw(program, places, ui_.hovered, {palette::text.rgb(), 0.75, 1.4 * pixel, 0.06, 0}, canvas);
+    if (state_.selection) outline_painter_.draw(program, places, state_.selection, {palette::accent.rgb(), 1, 2.2 * pixel, 0.12, 0}, canvas);
+}
+
+Result<bool> App::screenshot(const std::string& path) {
+    int width = 0, height = 0;
+    const std::vector<unsigned char> pixels = window_->read_pixels(width, height);
+    return write_png(path, width, height, pixels);
+}
+
+}  // namespace pinfield::editor

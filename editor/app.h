@@ -1,0 +1,59 @@
+// The editor as a program: window, panels, painters and the clock, a frame at a time.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "editor/app_state.h"
+#include "editor/panels/ui.h"
+#include "editor/platform/window.h"
+#include "editor/render/outline_painter.h"
+#include "editor/render/table_painter.h"
+#include "editor/widgets/imgui_bridge.h"
+
+namespace pinfield::editor {
+
+struct AppOptions {
+    int width = 1440, height = 900;
+    double font_size = 14;     ///< design pixels
+    int ticks_per_frame = 0;   ///< 0: as many as the clock says
+    bool listen = true;        ///< to the user's own mouse and keyboard; scripts do not
+};
+
+class App {
+public:
+    /// Fails where no window can be opened.
+    static Result<std::unique_ptr<App>> open(AppState state, const AppOptions& options);
+
+    /// Events, ticks, panels, picture: once.
+    void frame();
+    /// Frames until the user quits.
+    void run();
+
+    AppState& state() { return state_; }
+    Window& window() { return *window_; }
+    /// What the window shows, as a PNG.
+    Result<bool> screenshot(const std::string& path);
+
+private:
+    App(AppState state, std::unique_ptr<Window> window, const AppOptions& options);
+
+    void take_input();
+    void take_key(int code, bool down);
+    void cancel_drags();
+    int due_ticks(double seconds);
+    Canvas canvas() const;
+    void paint();
+    void paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> places, const Canvas& canvas);
+
+    AppState state_;
+    AppOptions options_;
+    std::unique_ptr<Window> window_;
+    ImGuiBridge bridge_;
+    TablePainter table_painter_;
+    OutlinePainter outline_painter_;
+    Ui ui_;
+    double last_seconds_ = 0, owed_seconds_ = 0, disk_seconds_ = 0;
+    bool control_ = false, shift_ = false, alt_ = false;
+};
+
+}  // namespace pinfield::editor

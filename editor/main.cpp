@@ -1,0 +1,97 @@
+// pinfield-editor: opens a table, plays it, edits it. Exit codes as the headless command's: 0 fine, 1 a script's step failed or the
+// table is wrong, 2 usage, 3 no file or no window.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "editor/app.h"
+#include "engine/scene/catalog.h"
+
+namespace {
+
+using namespace pinfield;
+using namespace pinfield::editor;
+
+enum ExitCode { fine = 0, wrong = 1, usage = 2, no_device = 3 };
+
+struct Arguments {
+    std::string file, script, screenshot, size = "1440x900";
+    int frames = -1;
+    int ticks_per_frame = 0;
+    double font_size = 14;
+};
+
+int complain(int code, const std::string& text) {
+    std::fprintf(stderr, "pinfield-editor: %s\n", text.c_str());
+    return code;
+}
+
+/// "1280x800" into both numbers.
+bool read_size(const std::string& text, int& width, int& height) {
+    int read = 0;
+    return std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &read) == 2 && static_cast<std::size_t>(read) == text.size() &&
+           width >= 320 && height >= 240 && width <= 8192 && height <= 8192;
+}
+
+Result<AppState> first_state(const std::string& file) {
+    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
+    if (file.empty()) return AppState(catalogue, Document::untitled(catalogue));
+    Result<Document> document = Document::open(file, catalogue);
+    if (!document) return tl::unexpected(document.error());
+    return AppState(catalogue, std::move(*document));
+}
+
+int run_editor(const Arguments& arguments) {
+    AppOptions options;
+    if (!read_size(arguments.size, options.width, options.height)) return complain(usage, "--size wants WIDTHxHEIGHT, such as 1280x800");
+    // A run that nobody watches goes by ticks alone, never by the clock.
+    const bool scripted = !arguments.script.empty() || arguments.frames >= 0;
+    options.font_size = arguments.font_size;
+    options.ticks_per_frame = arguments.ticks_per_frame > 0 ? arguments.ticks_per_frame : scripted ? 16 : 0;
+    options.listen = !scripted;
+
+    Result<AppState> state = first_state(arguments.file);
+    if (!state) return complain(no_device, state.error().message);
+    Result<std::unique_ptr<App>> app = App::open(std::move(*state), options);
+    if (!app) return complain(no_device, app.error().message);
+
+    if (arguments.frames >= 0) {
+        for (int i = 0; i < arguments.frames && !(*app)->state().quit; ++i) (*app)->frame();
+    } else {
+        (*app)->run();
+    }
+    if (!arguments.screenshot.empty()) {
+        (*app)->frame();
+        const Result<bool> written = (*app)->screenshot(arguments.screenshot);
+        if (!written) return complain(no_device, written.error().message);
+    }
+    return fine;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Arguments arguments;
+    CLI::App cli{"Pinfield's editor: play a table while you change it."};
+    cli.add_option("FILE", arguments.file, "Table to open; without one, a new table");
+    cli.add_option("--script", arguments.script, "Steps to run (YAML); exits with 0, or 1 naming the step that failed");
+    cli.add_option("--frames", arguments.frames, "Exit after so many frames")->check(CLI::NonNegativeNumber);
+    cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG before exiting");
+    cli.add_option("--size", arguments.size, "Window size, WIDTHxHEIGHT")->capture_default_str();
+    cli.add_option("--ticks-per-frame", arguments.ticks_per_frame, "Ticks a frame; 0: by the clock, 16 with --script or --frames")->check(CLI::Range(0, 100000));
+    cli.add_option("--font-size", arguments.font_size, "Size of the text, and of everything with it")->check(CLI::Range(8.0, 48.0))->capture_default_str();
+    cli.set_version_flag("--version", "pinfield-editor " PINFIELD_VERSION);
+    try {
+        cli.parse(argc, argv);
+    } catch (const CLI::Success& done) {
+        return cli.exit(done);
+    } catch (const CLI::ParseError& error) {
+        cli.exit(error);
+        return usage;
+    }
+    try {
+        return run_editor(arguments);
+    } catch (const std::exception& error) {
+        return complain(no_device, error.what());
+    }
+}

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <filesystem>
+
+#include "editor/panels/ui.h"
+#include "editor/widgets/widgets.h"
+
+namespace pinfield::editor {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Centred, as wide as asked, dimming what is behind.
+bool begin_modal(const Theme& theme, const char* title, float width) {
+    const ImVec2 window = ImGui::GetIO().DisplaySize;
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    ImGui::SetNextWindowPos({0.5f * window.x, 0.46f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSize({std::min(theme.px(width), 0.94f * window.x), 0});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(20), theme.px(18)));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
+    const bool open = ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PopStyleVar(3);
+    return open;
+}
+
+/// Moves the next items so that they end at the right edge.
+void align_right(float width) { ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width)); }
+
+bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
+
+void list_folder(PathDialog& dialog) {
+    dialog.folders.clear();
+    dialog.files.clear();
+    std::error_code ignored;  // a folder that cannot be read shows as empty
+    for (fs::directory_iterator it(dialog.folder, fs::directory_options::skip_permission_denied, ignored), end; !ignored && it != end; it.increment(ignored)) {
+        const std::string name = it->path().filename().string();
+        if (name.empty() || name[0] == '.') continue;
+        std::error_code unknown;
+        if (it->is_directory(unknown)) dialog.folders.push_back(name);
+        else if (it->path().extension() == ".yaml" || it->path().extension() == ".yml") dialog.files.push_back(name);
+    }
+    std::sort(dialog.folders.begin(), dialog.folders.end());
+    std::sort(dialog.files.begin(), dialog.files.end());
+}
+
+void go_to(PathDialog& dialog, const fs::path& folder) {
+    std::error_code unreadable;
+    const fs::path whole = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, unreadable);
+    dialog.folder = unreadable ? folder.string() : whole.string();
+    list_folder(dialog);
+}
+
+/// One line of the listing; whether it was clicked, and whether twice.
+struct Click {
+    bool once = false, twice = false;
+};
+Click listing_row(const Theme& theme, const std::string& name, Icon icon, const Tint& color, bool chosen) {
+    const ImVec2 place = ImGui::GetCursorScreenPos(), size{ImGui::GetContentRegionAvail().x, theme.px(26)};
+    Click click{ImGui::InvisibleButton(name.c_str(), size), false};
+    const bool hot = ImGui::IsItemHovered();
+    click.twice = hot && ImGui::IsMouseDoubleClicked(0);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (chosen || hot) list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink(chosen ? palette::accent_deep : palette::field_hot), theme.px(4));
+    draw_icon(list, icon, {place.x + theme.px(16), place.y + 0.5f * size.y}, theme.px(14), ink(color));
+    list.AddText({place.x + theme.px(32), place.y + 0.5f * (size.y - ImGui::GetFontSize())}, ink(palette::text), name.c_str());
+    return click;
+}
+
+/// The folder's content; true when a file was chosen for good.
+bool listing(const Theme& theme, PathDialog& dialog) {
+    bool done = false;
+    std::string enter;
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::panel);
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(5));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(6), theme.px(6)));
+    ImGui::BeginChild("##listing", {0, theme.px(260)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+    if (fs::path(dialog.folder).has_relative_path() && listing_row(theme, "..", Icon::folder, palette::quiet, false).once) enter = "..";
+    for (const std::string& folder : dialog.folders)
+        if (listing_row(theme, folder, Icon::folder, palette::amber, false).once) enter = folder;
+    for (const std::string& file : dialog.files) {
+        const Click click = listing_row(theme, file, Icon::file, palette::accent, file == dialog.name);
+        if (click.once || click.twice) dialog.name = file;
+        done = done || click.twice;
+    }
+    if (dialog.folders.empty() && dialog.files.empty()) text_in(theme.body, palette::quiet, "  No tables in this folder.");
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::PopStyleVar(2);
+    ImGui::PopStyleColor();
+    if (!enter.empty()) go_to(dialog, fs::path(dialog.folder) / enter);
+    return done;
+}
+
+void begin_path_dialog(const AppState& state, PathDialog& dialog) {
+    dialog.action = state.dialog_action;
+    const fs::path path(state.dialog_path);
+    dialog.name = state.dialog_action == "file.open" ? "" : path.empty() ? "table.yaml" : path.filename().string();
+    go_to(dialog, path.has_parent_path() ? path.parent_path() : fs::current_path());
+}
+
+}  // namespace
+
+void path_dialog(AppState& state, Ui& ui) {
+    PathDialog& dialog = ui.dialog;
+    const Theme& theme = ui.theme;
+    constexpr const char* title = "##path";
+    const bool begins = !state.dialog_action.empty() && dialog.action != state.dialog_action;
+    if (begins) begin_path_dialog(state, dialog);
+    if (dialog.action.empty()) return;
+    if (begin_modal(theme, title, 560)) {
+        const bool opens = dialog.action == "file.open";
+        text_in(theme.large, palette::text, opens ? "Open a table" : "Save the table as");
+        text_in(theme.small, palette::quiet, fitted(dialog.folder, ImGui::GetContentRegionAvail().x));
+        bool accept = listing(theme, dialog);
+        ImGui::Dummy({0, theme.px(2)});
+        char buffer[1024] = {};
+        dialog.name.copy(buffer, sizeof buffer - 1);
+        if (begins) ImGui::SetKeyboardFocusHere();
+        ImGui::SetNextItemWidth(-1);
+        accept = ImGui::InputTextWithHint("##name", "File name or path", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue) || accept;
+        dialog.name = buffer;
+        if (state.message_is_problem) text_in(theme.body, palette::amber, state.message);
+        ImGui::Dummy({0, theme.px(4)});
+        align_right(2 * theme.px(92) + ImGui::GetStyle().ItemSpacing.x);
+        const bool cancel = dialog_button(theme, "Cancel", false) || escape_pressed();
+        ImGui::SameLine();
+        accept = dialog_button(theme, opens ? "Open" : "Save", true) || accept;
+        if (cancel) run(state, "dialog.cancel");
+        else if (accept && !dialog.name.empty()) {
+            state.dialog_path = (fs::path(dialog.folder) / dialog.name).string();
+            run(state, "dialog.accept");
+        }
+        if (state.dialog_action.empty()) ImGui::CloseCurrentPopup();
+        ImGui::EndPopup();
+    }
+    if (state.dialog_action.empty()) dialog = {};
+}
+
+void prompt_dialog(AppState& state, Ui& ui) {
+    if (!state.prompt) return;
+    const Theme& theme = ui.theme;
+    if (!begin_modal(theme, "##prompt", 440)) return;
+    text_in(theme.large, palette::text, "Unsaved changes");
+    ImGui::PushTextWrapPos(0);
+    text_in(theme.body, palette::quiet, state.prompt->question + " Save them first?");
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, theme.px(8)});
+    align_right(3 * theme.px(92) + 2 * ImGui::GetStyle().ItemSpacing.x);
+    std::string_view answer;
+    if (dialog_button(theme, "Discard", false)) answer = "prompt.discard";
+    ImGui::SameLine();
+    if (dialog_button(theme, "Cancel", false) || escape_pressed()) answer = "prompt.cancel";
+    ImGui::SameLine();
+    if (dialog_button(theme, "Save", true)) answer = "prompt.save";
+    if (!answer.empty()) run(state, answer);
+    if (!state.prompt) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+namespace {
+
+void sheet_line(const Theme& theme, const std::string& what, const std::string& key, float column) {
+    const float x = ImGui::GetCursorPosX();
+    ImGui::TextUnformatted(what.c_str());
+    ImGui::SameLine(x + column);
+    text_in(theme.body, palette::accent, key);
+}
+
+std::vector<std::string_view> menus_with_keys() {
+    std::vector<std::string_view> menus;
+    for (const Action& action : all_actions())
+        if (!action.menu.empty() && !action.shortcut.empty() && std::find(menus.begin(), menus.end(), action.menu) == menus.end()) menus.push_back(action.menu);
+    return menus;
+}
+
+void table_keys(const AppState& state, const Theme& theme, float column) {
+    text_in(theme.strong, palette::quiet, "On the table");
+    for (const InputBinding& input : state.document.scene().inputs) {
+        std::string keys;
+        for (const std::string& key : input.keys) keys += (keys.empty() ? "" : ", ") + key;
+        sheet_line(theme, input.name, keys, column);
+    }
+    ImGui::Dummy({0, theme.px(8)});
+    text_in(theme.strong, palette::quiet, "Mouse");
+    sheet_line(theme, "Select, move", "click, drag", column);
+    sheet_line(theme, "Move freely", "Ctrl + drag", column);
+    sheet_line(theme, "Keep to one axis", "Shift + drag", column);
+    sheet_line(theme, "Pan", "middle or right drag", column);
+    sheet_line(theme, "Zoom", "wheel", column);
+    sheet_line(theme, "Change a number", "drag it sideways", column);
+    sheet_line(theme, "Finer, coarser", "Shift, Ctrl", column);
+    sheet_line(theme, "Type a number", "double click", column);
+}
+
+}  // namespace
+
+void shortcut_sheet(AppState& state, Ui& ui) {
+    if (!state.show_help) return;
+    const Theme& theme = ui.theme;
+    if (!begin_modal(theme, "##keys", 700)) return;
+    text_in(theme.large, palette::text, "Keys");
+    ImGui::Dummy({0, theme.px(6)});
+    const float column = theme.px(160);
+    ImGui::Columns(2, "##columns", false);
+    for (const std::string_view menu : menus_with_keys()) {
+        text_in(theme.strong, palette::quiet, menu);
+        for (const Action& action : all_actions())
+            if (action.menu == menu && !action.shortcut.empty()) sheet_line(theme, std::string(action.label), std::string(action.shortcut), column);
+        ImGui::Dummy({0, theme.px(8)});
+    }
+    ImGui::NextColumn();
+    table_keys(state, theme, column);
+    ImGui::Columns(1);
+    align_right(theme.px(92));
+    if (dialog_button(theme, "Close", true) || escape_pressed()) state.show_help = false;
+    if (!state.show_help) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+}  // namespace pinfield::editor

@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cctype>
+
+#include "editor/panels/ui.h"
+#include "editor/widgets/widgets.h"
+#include "engine/core/color.h"
+
+namespace pinfield::editor {
+
+namespace {
+
+bool contains_word(std::string_view text, std::string_view word) {
+    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
+    return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
+}
+
+/// Draws the tree row by row and notes what was clicked.
+class Tree {
+public:
+    Tree(AppState& state, Ui& ui) : state_(state), ui_(ui), scene_(state.document.scene()) {
+        for (const Node* node = scene_.find(state.selection); node && node->parent; node = scene_.find(node->parent))
+            above_selection_.push_back(node->parent);
+        reveal_ = state.selection && state.selection != ui.revealed;
+    }
+
+    void draw() {
+        if (ui_.filter.empty()) {
+            record(scene_.table(), 0);
+            record(scene_.physics(), 0);
+            if (heading("Materials", scene_.materials().size()))
+                for (const NodeId id : scene_.materials()) record(*scene_.find(id), 1);
+            if (heading("Scene", scene_.roots().size()))
+                for (const NodeId id : scene_.roots()) subtree(*scene_.find(id), 1);
+        } else {
+            for (const NodeId id : scene_.all()) {
+                const Node& node = *scene_.find(id);
+                if (contains_word(title_of(node), ui_.filter) || contains_word(node.type->key(), ui_.filter)) row(node, 0, false);
+            }
+        }
+        if (reveal_) ui_.revealed = state_.selection;
+        if (clicked_) state_.selection = clicked_, ui_.revealed = clicked_;
+    }
+
+private:
+    bool heading(const char* title, std::size_t count) {
+        const Theme& theme = ui_.theme;
+        ImGui::Dummy({0, theme.px(3)});
+        bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(title), true);
+        if (reveal_) *open = true;
+        const ImVec2 place = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x, height = theme.px(24);
+        if (ImGui::InvisibleButton(title, {width, height})) *open = !*open;
+        const float y = place.y + 0.5f * (height - theme.small->FontSize);
+        arrow({place.x + theme.px(9), place.y + 0.5f * height}, *open);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        list.AddText(theme.small, theme.small->FontSize, {place.x + theme.px(20), y}, ink(palette::quiet), title);
+        const std::string number = std::to_string(count);
+        const float w = theme.small->CalcTextSizeA(theme.small->FontSize, 1e9f, 0, number.c_str()).x;
+        list.AddText(theme.small, theme.small->FontSize, {place.x + width - w - theme.px(8), y}, ink(palette::faint), number.c_str());
+        return *open;
+    }
+
+    void arrow(ImVec2 c, bool open) const {
+        const float s = ui_.theme.px(3.5f);
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImU32 color = ink(palette::quiet);
+        const float w = std::max(1.0f, 0.1f * ui_.theme.px(14));
+        if (open) {
+            list.AddLine({c.x - s, c.y - 0.5f * s}, {c.x, c.y + 0.5f * s}, color, w);
+            list.AddLine({c.x, c.y + 0.5f * s}, {c.x + s, c.y - 0.5f * s}, color, w);
+        } else {
+            list.AddLine({c.x - 0.5f * s, c.y - s}, {c.x + 0.5f * s, c.y}, color, w);
+            list.AddLine({c.x + 0.5f * s, c.y}, {c.x - 0.5f * s, c.y + s}, color, w);
+        }
+    }
+
+    void record(const Node& node, int depth) { row(node, depth, false); }
+
+    void subtree(const Node& node, int depth) {
+        const bool parent = !node.children.empty();
+        const bool open = row(node, depth, parent);
+        if (parent && open)
+            for (const NodeId child : node.children) subtree(*scene_.find(child), depth + 1);
+    }
+
+    /// One row; whether its children are shown.
+    bool row(const Node& node, int depth, bool parent) {
+        const Theme& theme = ui_.theme;
+        ImGui::PushID(static_cast<int>(node.id.value));
+        // A part with its shapes inside is one thing to look at; groups open themselves.
+        bool* open = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("open"), depth < 2 && icon_of(*node.type) == Icon::group);
+        if (reveal_ && std::find(above_selection_.begin(), above_selection_.end(), node.id) != above_selection_.end()) *open = true;
+
+        const ImVec2 place = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x, height = theme.px(25);
+        const float indent = theme.px(4 + 15 * static_cast<float>(depth)), arrow_width = theme.px(16);
+        const bool pressed = ImGui::InvisibleButton("row", {width, height});
+        const bool hot = ImGui::IsItemHovered(), selected = state_.selection == node.id;
+        if (pressed) {
+            if (parent && ImGui::GetIO().MousePos.x < place.x + indent + arrow_width) *open = !*open;
+            else clicked_ = node.id;
+        }
+        if (hot && parent && ImGui::IsMouseDoubleClicked(0) && ImGui::GetIO().MousePos.x > place.x + indent + arrow_width) *open = !*open;
+        if (hot) ui_.hovered = node.id;
+        if (reveal_ && selected) ImGui::SetScrollHereY(0.5f);
+        paint(node, place, {width, height}, indent, arrow_width, selected, hot, parent, *open);
+        ImGui::PopID();
+        return *open;
+    }
+
+    void paint(const Node& node, ImVec2 place, ImVec2 size, float indent, float arrow_width, bool selected, bool hot,
+               bool parent, bool open) const {
+        const Theme& theme = ui_.theme;
+        ImDrawList& list = *ImGui::GetWindowDrawList();
+        const ImVec2 end{place.x + size.x, place.y + size.y};
+        const float middle = place.y + 0.5f * size.y, round = theme.px(4);
+        if (selected) list.AddRectFilled(place, end, ink(palette::accent_deep), round);
+        else if (hot || ui_.hovered == node.id) list.AddRectFilled(place, end, ink(palette::field), round);
+        if (parent) arrow({place.x + indent + theme.px(7), middle}, open);
+
+        float x = place.x + indent + arrow_width + theme.px(9);
+        const bool seen = flag(node, "visible", true), locked = flag(node, "locked", false);
+        Tint color = color_of(*node.type);
+        if (const FieldSlot* slot = color_slot(node))
+            if (const auto parsed = parse_color(std::get<std::string>(slot->value)))
+                color = palette::hex(static_cast<unsigned>(parsed->r << 16 | parsed->g << 8 | parsed->b));
+        draw_icon(list, icon_of(*node.type), {x, middle}, theme.px(14), ink(color.faded(seen ? 1.0f : 0.45f)));
+        x += theme.px(15);
+
+        float right = end.x - theme.px(8);
+        const auto mark = [&](bool shown, Icon icon) {
+            if (!shown) return;
+            draw_icon(list, icon, {right - theme.px(6), middle}, theme.px(12), ink(palette::quiet));
+            right -= theme.px(18);
+        };
+        mark(locked, Icon::locked);
+        mark(!seen, Icon::hidden);
+
+        const Tint name_color = seen ? palette::text : palette::faint;
+        const float text_y = middle - 0.5f * ImGui::GetFontSize();
+        const std::string title = fitted(title_of(node), right - x);
+        list.AddText({x, text_y}, ink(node.name.empty() && !selected ? palette::quiet : name_color), title.c_str());
+        const float after = x + ImGui::CalcTextSize(title.c_str()).x + theme.px(10);
+        if (node.name.empty() || node.type->meta.kind == NodeKind::record) return;
+        const std::string type(node.type->key());
+        const float type_size = theme.small->FontSize;
+        const float type_width = theme.small->CalcTextSizeA(type_size, 1e9f, 0, type.c_str()).x;
+        if (right - type_width > after)
+            list.AddText(theme.small, type_size, {right - type_width, middle - 0.5f * type_size}, ink(selected ? palette::quiet : palette::faint), type.c_str());
+    }
+
+    static bool flag(const Node& node, std::string_view key, bool otherwise) {
+        const auto field = node.type->find_field(key);
+        if (!field) return otherwise;
+        const bool* value = std::get_if<bool>(&node.fields[static_cast<std::size_t>(*field)].value);
+        return value ? *value : otherwise;
+    }
+
+    static const FieldSlot* color_slot(const Node& node) {
+        for (std::size_t i = 0; i < node.type->fields.size(); ++i)
+            if (node.type->fields[i].kind == FieldKind::color) return &node.fields[i];
+        return nullptr;
+    }
+
+    AppState& state_;
+    Ui& ui_;
+    const Scene& scene_;
+    std::vector<NodeId> above_selection_;
+    NodeId clicked_;
+    bool reveal_ = false;
+};
+
+void filter_box(Ui& ui) {
+    const Theme& theme = ui.theme;
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::SetNextItemWidth(-1);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(28), theme.px(5)));
+    char buffer[128] = {};
+    ui.filter.copy(buffer, sizeof buffer - 1);
+    if (ImGui::InputTextWithHint("##filter", "Find a node", buffer, sizeof buffer)) ui.filter = buffer;
+    ImGui::PopStyleVar();
+    draw_icon(*ImGui::GetWindowDrawList(), Icon::search, {place.x + theme.px(15), place.y + 0.5f * ImGui::GetItemRectSize().y},
+              theme.px(14), ink(palette::quiet));
+}
+
+}  // namespace
+
+void hierarchy_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
+    const Theme& theme = ui.theme;
+    begin_region("##hierarchy", position, size, palette::panel, {theme.px(8), theme.px(8)});
+    filter_box(ui);
+    ImGui::BeginChild("##tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+    Tree(state, ui).draw();
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::End();
+}
+
+}  // namespace pinfield::editor

@@ -1,0 +1,73 @@
+#include "editor/panels/ui.h"
+#include "editor/widgets/widgets.h"
+
+namespace pinfield::editor {
+
+namespace {
+
+/// The innermost node whose text holds this place.
+NodeId node_at(const Scene& scene, std::size_t offset) {
+    NodeId best;
+    std::size_t length = static_cast<std::size_t>(-1);
+    for (const NodeId id : scene.all()) {
+        const Span where = scene.find(id)->where;
+        if (where.begin <= offset && offset < where.end && where.end - where.begin < length) {
+            best = id;
+            length = where.end - where.begin;
+        }
+    }
+    return best;
+}
+
+void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem, const SourceText& source, int index) {
+    const bool error = problem.severity == Severity::error;
+    const LineColumn at = source.place(problem.where.begin);
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, height = theme.px(26);
+    ImGui::PushID(index);
+    if (ImGui::InvisibleButton("row", {width, height})) {
+        const NodeId node = node_at(state.document.scene(), problem.where.begin);
+        if (node) state.selection = node;
+        state.message = problem.hint.empty() ? problem.message : problem.hint;
+        state.message_is_problem = error;
+    }
+    const bool hot = ImGui::IsItemHovered();
+    ImGui::PopID();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (hot) list.AddRectFilled(place, {place.x + width, place.y + height}, ink(palette::field), theme.px(4));
+    draw_icon(list, error ? Icon::error : Icon::warning, {place.x + theme.px(14), place.y + 0.5f * height}, theme.px(14),
+              ink(error ? palette::coral : palette::amber));
+    const float y = place.y + 0.5f * (height - ImGui::GetFontSize());
+    const std::string where = std::to_string(at.line) + ":" + std::to_string(at.column) + "   " + problem.code;
+    const float where_width = ImGui::CalcTextSize(where.c_str()).x;
+    list.AddText({place.x + width - where_width - theme.px(10), y}, ink(palette::quiet), where.c_str());
+    const std::string message = fitted(problem.message, width - where_width - theme.px(60));
+    list.AddText({place.x + theme.px(30), y}, ink(palette::text), message.c_str());
+    if (hot) {
+        const std::string_view line = source.line(at.line);
+        std::string text = problem.message + "\n" + std::string(line.substr(0, 200));
+        if (!problem.hint.empty()) text += "\n" + problem.hint;
+        tooltip(theme, text);
+    }
+}
+
+}  // namespace
+
+void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
+    const Theme& theme = ui.theme;
+    begin_region("##problems", position, size, palette::panel, {theme.px(12), theme.px(8)});
+    text_in(theme.strong, palette::text, "Problems");
+    ImGui::BeginChild("##list", {0, 0}, false, ImGuiWindowFlags_NoNav);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
+    int index = 0;
+    // A click may change the document: the lists are copied first.
+    const Diagnostics in_file = state.document.diagnostics(), in_program = state.session.problems();
+    for (const Diagnostic& problem : in_file) problem_row(state, theme, problem, state.document.diagnosed(), index++);
+    for (const Diagnostic& problem : in_program) problem_row(state, theme, problem, state.document.source(), index++);
+    if (index == 0) text_in(theme.body, palette::quiet, "The table reads without a problem.");
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::End();
+}
+
+}  // namespace pinfield::editor

@@ -1,0 +1,82 @@
+// What the panels remember between frames that is no part of the document: layout, drags in progress, open rows.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "editor/app_state.h"
+#include "editor/edit_tools.h"
+#include "editor/theme/theme.h"
+#include "editor/widgets/icons.h"
+
+namespace pinfield::editor {
+
+/// A value being typed in the inspector.
+struct Typing {
+    NodeId node;
+    int field = -1;
+    int component = -1;  ///< -1: the whole value
+    std::string text;
+    bool begins = false;  ///< the text field must take the keyboard in the next frame
+    bool is(NodeId n, int f, int c) const { return node == n && field == f && component == c; }
+};
+
+struct PathDialog {
+    std::string action;  ///< whose path is being asked for; empty: closed
+    std::string folder;
+    std::string name;
+    std::vector<std::string> folders, files;  ///< of `folder`, sorted
+};
+
+struct Ui {
+    Theme theme;
+    // Design pixels.
+    float left = 250, right = 324, bottom = 132;
+    bool problems_open = false;
+    std::size_t problems_seen = 0;
+
+    NodeId hovered;         ///< under the mouse, in the viewport or the hierarchy
+    NodeId revealed;        ///< selection that the hierarchy has scrolled to
+    std::string filter;     ///< of the hierarchy
+
+    NodeDrag drag;
+    NodeId pressed_node;    ///< under the mouse when its button went down; becomes a drag once it moves
+    Vec2 pressed_at{0, 0};  ///< world
+    bool panning = false;
+    bool viewport_hovered = false;
+    Vec2 mouse_world{0, 0};
+
+    Scrub scrub;
+    Typing typing;
+    PathDialog dialog;
+    bool frame_wanted = true;  ///< show the whole table in the next frame
+};
+
+/// Shows why an edit did not happen, or clears what was shown.
+inline void tell(AppState& state, const std::optional<std::string>& problem) {
+    if (!problem) return;
+    state.message = *problem;
+    state.message_is_problem = true;
+}
+
+/// The picture and the colour for a node's kind; records by their key.
+Icon icon_of(const NodeType& type);
+Tint color_of(const NodeType& type);
+/// The author's id, else the type's word.
+std::string title_of(const Node& node);
+
+// Each draws its part of the window at a place, in screen pixels.
+float menu_bar(AppState& state, Ui& ui);  ///< returns its height
+void hierarchy_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void transport_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void path_dialog(AppState& state, Ui& ui);
+void prompt_dialog(AppState& state, Ui& ui);
+void shortcut_sheet(AppState& state, Ui& ui);
+
+/// All of them, laid out in the window.
+void draw_panels(AppState& state, Ui& ui);
+
+}  // namespace pinfield::editor

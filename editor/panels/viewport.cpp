@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+
+#include "editor/panels/fields.h"
+#include "editor/panels/ui.h"
+#include "editor/widgets/widgets.h"
+
+namespace pinfield::editor {
+
+namespace {
+
+constexpr double pick_slack_pixels = 4;
+constexpr float drag_threshold = 3;
+
+Vec2 vec(ImVec2 v) { return {v.x, v.y}; }
+ImVec2 im(const Vec2& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
+
+/// Begins, follows and ends the drag of a node. It starts only once the mouse has moved, so that a click selects and no more.
+void drag_node(AppState& state, Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActivated() && io.MouseDown[0] && !io.KeyAlt) {
+        ui.pressed_node = pick(state, ui.mouse_world, pick_slack_pixels / state.view.pixels_per_metre);
+        ui.pressed_at = ui.mouse_world;
+        state.selection = ui.pressed_node;
+    }
+    if (!ImGui::IsItemActive()) {
+        if (ui.drag.active()) tell(state, ui.drag.end(state.document));
+        ui.pressed_node = {};
+        return;
+    }
+    if (!io.MouseDown[0]) return;
+    if (ui.pressed_node && !ui.drag.active() && ImGui::IsMouseDragging(0, drag_threshold)) {
+        ui.drag.begin(state.document, ui.pressed_node, ui.pressed_at);
+        ui.pressed_node = {};
+    }
+    if (ui.drag.active()) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+        // The same drag may have been taken back by Esc: then the preview stays away until the next press.
+        const double grid = io.KeyCtrl ? 0 : default_grid;
+        tell(state, ui.drag.update(state.document, ui.mouse_world, grid, io.KeyShift));
+    }
+}
+
+void pan_and_zoom(AppState& state, Ui& ui) {
+    ImGuiIO& io = ImGui::GetIO();
+    View& view = state.view;
+    if (ui.viewport_hovered && io.MouseWheel != 0) view.zoom_at(vec(io.MousePos), std::pow(1.18, static_cast<double>(io.MouseWheel)));
+    const bool wants = io.MouseDown[2] || io.MouseDown[1] || (io.MouseDown[0] && io.KeyAlt);
+    if (ImGui::IsItemActive() && wants && !ui.drag.active()) ui.panning = true;
+    if (!wants) ui.panning = false;
+    if (!ui.panning) return;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    view.centre += Vec2(-io.MouseDelta.x, io.MouseDelta.y) / view.pixels_per_metre;
+}
+
+/// A bar of a round length, to see how large things are.
+void scale_bar(const AppState& state, const Theme& theme, ImDrawList& list, ImVec2 corner) {
+    double length = 1e-4;
+    for (const double step : {1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0})
+        if (step * state.view.pixels_per_metre <= theme.px(130)) length = step;
+    const auto width = std::round(static_cast<float>(length * state.view.pixels_per_metre));
+    const Shown text = shown(length, Unit::metre);
+    const std::string label = text.number + " " + text.unit;
+    const ImU32 color = ink(palette::quiet);
+    const float h = theme.px(4), w = std::max(1.0f, theme.px(1));
+    list.AddLine({corner.x, corner.y}, {corner.x + width, corner.y}, color, w);
+    list.AddLine({corner.x, corner.y - h}, {corner.x, corner.y + 1}, color, w);
+    list.AddLine({corner.x + width, corner.y - h}, {corner.x + width, corner.y + 1}, color, w);
+    list.AddText(theme.small, theme.small->FontSize, {corner.x + width + theme.px(8), corner.y - 0.7f * theme.small->FontSize}, color, label.c_str());
+}
+
+/// Where balls start: a dashed ring with the way they go; and the id of what is selected or under the mouse.
+void draw_marks(const AppState& state, const Ui& ui, ImDrawList& list) {
+    const Theme& theme = ui.theme;
+    const Program& program = state.session.program();
+    for (const Part& part : program.parts) {
+        if (part.sensor >= 0 && !program.sensors[static_cast<std::size_t>(part.sensor)].field.solids.empty()) continue;
+        if (part.sensor < 0 && (part.solid >= 0 || part.mover >= 0)) continue;
+        const ImVec2 c = im(state.view.pixel_from_world(part.world_from_part.offset));
+        const auto r = static_cast<float>(program.physics.ball_radius * state.view.pixels_per_metre);
+        const bool chosen = part.origin == state.selection || part.origin == ui.hovered;
+        const ImU32 color = ink(chosen ? palette::accent : palette::teal.faded(0.75f));
+        constexpr int dashes = 12;
+        for (int i = 0; i < dashes; ++i) {
+            const float from = 6.2831853f * static_cast<float>(i) / dashes;
+            list.PathArcTo(c, r + theme.px(2), from, from + 0.32f);
+            list.PathStroke(color, ImDrawFlags_None, std::max(1.0f, theme.px(1.5f)));
+        }
+    }
+}
+
+void name_tag(const AppState& state, const Theme& theme, ImDrawList& list, NodeId id, const Tint& color) {
+    const Node* node = state.document.scene().find(id);
+    if (!node || !node->type || node->type->meta.kind == NodeKind::record) return;
+    const Box2 box = bounds_of(state, id);
+    if (box.is_empty() || !box.is_finite()) return;
+    const std::string text = title_of(*node);
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str()), pad{theme.px(7), theme.px(3)};
+    const ImVec2 top = im(state.view.pixel_from_world({box.centre().x(), box.hi.y()}));
+    const float lowest = static_cast<float>(state.view.origin.y()) + theme.px(50);
+    const ImVec2 place{std::round(top.x - 0.5f * size.x), std::round(std::max(top.y - size.y - theme.px(14), lowest))};
+    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y}, ink(palette::bar.faded(0.88f)), theme.px(4));
+    list.AddText(place, ink(color), text.c_str());
+}
+
+void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
+    const Theme& theme = ui.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(position, {position.x + size.x, position.y + size.y}, true);
+    draw_marks(state, ui, list);
+    if (ui.hovered && ui.hovered != state.selection && !ui.drag.active()) name_tag(state, theme, list, ui.hovered, palette::text);
+    if (state.selection) name_tag(state, theme, list, state.selection, palette::accent);
+    scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
+    list.PopClipRect();
+}
+
+/// Style and framing, over the top right corner of the picture.
+void view_controls(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
+    const Theme& theme = ui.theme;
+    const float width = theme.px(176), margin = theme.px(10);
+    if (size.x < width + 2 * margin) return;
+    ImGui::SetCursorScreenPos({position.x + size.x - width - margin, position.y + margin});
+    const int style = segmented(theme, "style", {"Shaded", "Isolines"}, state.view.style == ViewStyle::shaded ? 0 : 1);
+    if (style >= 0) run(state, style == 0 ? "view.shaded" : "view.isolines");
+    const float height = ImGui::GetItemRectSize().y;
+    ImGui::SetCursorScreenPos({position.x + size.x - margin - height, position.y + margin});
+    if (icon_button(theme, {.icon = Icon::frame, .id = "frame", .tooltip = "Frame the table (Home)"}, height)) run(state, "view.all");
+}
+
+}  // namespace
+
+void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
+    // The table itself is painted under this window, before the panels.
+    begin_region("##viewport", position, size, Tint{0, 0, 0, 0}, {0, 0}, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
+    const Vec2 old_size = state.view.size;
+    state.view.origin = vec(position);
+    state.view.size = vec(size);
+    if (ui.frame_wanted || old_size.x() <= 1) run(state, "view.all");
+    else if (old_size != state.view.size) state.view.pixels_per_metre *= std::min(size.y / old_size.y(), 1e3);
+    ui.frame_wanted = false;
+
+    ImGui::SetItemAllowOverlap();
+    ImGui::InvisibleButton("##table", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::SetItemAllowOverlap();
+    ui.viewport_hovered = ImGui::IsItemHovered();
+    ui.mouse_world = state.view.world_from_pixel(vec(ImGui::GetIO().MousePos));
+    pan_and_zoom(state, ui);
+    if (!ui.panning) drag_node(state, ui);
+    if (ui.viewport_hovered && !ui.panning) ui.hovered = pick(state, ui.mouse_world, pick_slack_pixels / state.view.pixels_per_metre);
+    overlay(state, ui, position, size);
+    view_controls(state, ui, position, size);
+    ImGui::End();
+}
+
+}  // namespace pinfield::editor

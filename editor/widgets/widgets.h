@@ -1,0 +1,52 @@
+// The few widgets that Dear ImGui does not have, in the theme's manner.
+#pragma once
+#include <imgui.h>
+
+#include <string>
+#include <string_view>
+
+#include "editor/theme/theme.h"
+#include "editor/widgets/icons.h"
+
+namespace pinfield::editor {
+
+/// A part of the window with a fixed place; end with ImGui::End().
+bool begin_region(const char* name, ImVec2 position, ImVec2 size, const Tint& background, ImVec2 padding, ImGuiWindowFlags more = 0);
+
+/// A thin strip between regions that changes `size` while it is dragged; `sign` tells which way grows it. Draws its own window.
+void splitter(const char* name, ImVec2 position, ImVec2 size, bool vertical, float sign, float scale, float& design_size,
+              float least, float most);
+
+struct IconButton {
+    Icon icon = Icon::play;
+    const char* id = "";
+    std::string tooltip;
+    bool lit = false;
+    bool enabled = true;
+};
+bool icon_button(const Theme& theme, const IconButton& button, float size);
+
+/// A heading over a part of a panel.
+void section(const Theme& theme, const char* title);
+
+/// A tooltip of at most a comfortable width, for the item before.
+void tooltip(const Theme& theme, std::string_view text);
+
+/// A small rounded label. Returns whether it is hovered.
+bool pill(const Theme& theme, std::string_view text, const Tint& color);
+
+/// Text shortened with an ellipsis to a width.
+std::string fitted(std::string_view text, float width);
+
+void text_in(ImFont* font, const Tint& color, std::string_view text);
+
+/// Digits in cells of one width, so that a running counter does not shiver. Returns the width drawn.
+float steady_number(ImDrawList& list, ImFont* font, ImVec2 place, const Tint& color, std::string_view text);
+
+/// One of several words, side by side. Returns the index chosen now, or -1.
+int segmented(const Theme& theme, const char* id, std::initializer_list<const char*> words, int chosen);
+
+/// A blue or a plain button of a dialog.
+bool dialog_button(const Theme& theme, const char* label, bool primary);
+
+}  // namespace pinfield::editor
