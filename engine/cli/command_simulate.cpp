@@ -1,0 +1,174 @@
+// pinfield simulate FILE: plays a table without a window and says what became of the balls.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/cli/command.h"
+#include "engine/cli/csv.h"
+#include "engine/cli/json.h"
+#include "engine/cli/output.h"
+#include "engine/cli/quantity_option.h"
+#include "engine/cli/recorders.h"
+#include "engine/cli/table.h"
+#include "engine/core/hash.h"
+#include "engine/physics/scatter.h"
+#include "engine/physics/simulation.h"
+
+namespace pinfield::cli {
+namespace {
+
+struct Options {
+    std::string file, trace, events, inputs, integrator;
+    std::optional<double> seconds, speed, restitution, step;
+    std::optional<int> balls;
+    std::uint64_t seed = 1;
+    std::vector<std::string> launches;
+    bool audit = false, json = false, no_sweep = false;
+};
+
+struct Launch {
+    Vec2 at{0, 0}, velocity{0, 0};
+};
+
+/// "x,y,vx,vy" as four numbers, units allowed; what is wrong with it, or "".
+std::string refuse_launch(const std::string& text, Launch* launch = nullptr) {
+    const Unit units[4] = {Unit::metre, Unit::metre, Unit::metre_per_second, Unit::metre_per_second};
+    double values[4] = {};
+    std::size_t begin = 0;
+    for (int i = 0; i < 4; ++i) {
+        const std::size_t end = i < 3 ? text.find(',', begin) : text.size();
+        if (end == text.npos) return fmt::format("\"{}\" is no launch: x,y,vx,vy", text);
+        const std::string complaint = refuse_quantity(text.substr(begin, end - begin), units[i], from(-1e6), to(1e6), &values[i]);
+        if (!complaint.empty()) return complaint;
+        begin = end + 1;
+    }
+    if (launch) *launch = {{values[0], values[1]}, {values[2], values[3]}};
+    return "";
+}
+
+/// Edges of the table's inputs, in order of ticks.
+std::vector<InputChange> read_inputs(const std::string& path, const Program& program) {
+    std::vector<InputChange> changes;
+    if (path.empty()) return changes;
+    for (const CsvRecord& record : value_or_stop(read_csv(path, "tick,input,value"))) {
+        const auto stop = [&](const std::string& message) { throw Stop{Exit::failed, fmt::format("{}:{}: {}", path, record.line, message)}; };
+        const double tick = value_or_stop(csv_number(path, record, 0));
+        if (tick < 0 || tick > 1e15 || tick != std::floor(tick)) stop(fmt::format("\"{}\" is no tick", record.cells[0]));
+        const auto input = std::find(program.inputs.begin(), program.inputs.end(), record.cells[1]);
+        if (input == program.inputs.end())
+            stop(fmt::format("the table has no input \"{}\"; it has: {}", record.cells[1], fmt::join(program.inputs, ", ")));
+        changes.push_back({static_cast<std::int64_t>(tick), static_cast<int>(input - program.inputs.begin()),
+                           value_or_stop(csv_number(path, record, 2))});
+    }
+    std::stable_sort(changes.begin(), changes.end(), [](const InputChange& a, const InputChange& b) { return a.tick < b.tick; });
+    return changes;
+}
+
+World world_of(const Table& table, const Options& options) {
+    WorldOptions how;
+    how.seed = options.seed;
+    how.restitution = options.restitution;
+    how.step = options.step;
+    how.sweep = !options.no_sweep;
+    how.balls_collide = !options.balls;
+    if (!options.integrator.empty())
+        how.integrator = options.integrator == "ballistic" ? Integrator::ballistic : Integrator::symplectic_euler;
+    World world(table.program, how);
+    if (options.balls) {
+        const int placed = scatter_balls(world, *options.balls, options.speed.value_or(1), options.seed);
+        if (placed < *options.balls)
+            throw Stop{Exit::wrong, fmt::format("{}: only {} of {} balls found free space\n", options.file, placed, *options.balls)};
+    }
+    for (const std::string& text : options.launches) {
+        Launch launch;
+        refuse_launch(text, &launch);
+        world.add_ball(launch.at, launch.velocity);
+    }
+    if (!options.balls && options.launches.empty()) world.add_spawned_balls();
+    return world;
+}
+
+JsonObject json_of(const SimulationSummary& summary, const std::string& table) {
+    JsonObject counts;
+    for (int kind = 0; kind < event_kinds; ++kind)
+        if (const auto count = summary.events[static_cast<std::size_t>(kind)]) counts.add(name(static_cast<EventKind>(kind)), count);
+    JsonObject json;
+    json.add("table", table).add("ticks", summary.ticks).add("balls", summary.balls);
+    json.add("wall_seconds", summary.wall_seconds).add("ball_steps_per_second", summary.ball_steps_per_second);
+    json.add("escaped", summary.escaped).add("drained", summary.drained).add("max_penetration", summary.max_penetration);
+    json.add("energy_first", summary.energy_first).add("energy_last", summary.energy_last);
+    json.add("events", counts).add("state_hash", hex16(summary.state_hash));
+    if (summary.audit)
+        json.add("audit", JsonObject()
+                              .add("segments", summary.audit->segments)
+                              .add("worst_depth", summary.audit->worst_depth)
+                              .add("crossings", summary.audit->crossings));
+    return json;
+}
+
+std::string text_of(const SimulationSummary& summary, const std::string& table, double step) {
+    std::string text = fmt::format("{}: {} balls, {} ticks ({:g} s) in {:.3f} s: {:.3g} ball-steps/s\n", table, summary.balls, summary.ticks,
+                                   static_cast<double>(summary.ticks) * step, summary.wall_seconds, summary.ball_steps_per_second);
+    text += fmt::format("  escaped         {}\n  drained         {}\n  max penetration {:.3g} m\n", summary.escaped, summary.drained,
+                        summary.max_penetration);
+    text += fmt::format("  energy          {:.9g} J at first, {:.9g} J at last\n  events         ", summary.energy_first, summary.energy_last);
+    for (int kind = 0; kind < event_kinds; ++kind)
+        if (const auto count = summary.events[static_cast<std::size_t>(kind)])
+            text += fmt::format(" {} {}", name(static_cast<EventKind>(kind)), count);
+    text += fmt::format("\n  state hash      {}\n", hex16(summary.state_hash));
+    if (summary.audit)
+        text += fmt::format("  audit           {} segments, worst depth {:.3g} m, {} crossings\n", summary.audit->segments,
+                            summary.audit->worst_depth, summary.audit->crossings);
+    return text;
+}
+
+void run(const Options& options) {
+    const Table table = open_table(options.file);
+    World world = world_of(table, options);
+    Recorder recorder(table.scene, options.trace, options.events);
+    SimulationOptions how;
+    how.seconds = options.seconds.value_or(10);
+    how.audit = options.audit;
+    how.inputs = read_inputs(options.inputs, *table.program);
+    how.observer = &recorder;
+    recorder.start(world);
+    const SimulationSummary summary = simulate(world, how);
+    recorder.finish();
+    const std::string name = table.program->name.empty() ? options.file : table.program->name;
+    print(options.json ? json_of(summary, name).text() + "\n" : text_of(summary, name, world.step_length()));
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Exit& exit) {
+    CLI::App* command = app.add_subcommand("simulate", "Play a table without a window");
+    const auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "Table file")->required();
+    add_quantity(*command, "--seconds", options->seconds, Unit::second, from(0), to(1e6), "How long, in the table's time (10)");
+    CLI::Option* balls = command->add_option("--balls", options->balls, "Scatter this many balls that ignore each other, in place of the spawns")
+                             ->check(CLI::Range(0, 1'000'000));
+    add_quantity(*command, "--speed", options->speed, Unit::metre_per_second, from(0), to(1e6), "Of the scattered balls, m/s (1)")->needs(balls);
+    command->add_option("--seed", options->seed, "Of everything random")->capture_default_str();
+    command->add_option("--launch", options->launches, "Add a ball x,y,vx,vy in place of the spawns; may be repeated")
+        ->allow_extra_args(false)
+        ->check([](const std::string& text) { return refuse_launch(text); });
+    add_quantity(*command, "--restitution", options->restitution, Unit::none, from(0), to(1),
+                 "Set every restitution, and falloff, friction, scatter and kicks to 0");
+    command->add_option("--integrator", options->integrator, "In place of the table's: symplectic_euler or ballistic")
+        ->check(CLI::IsMember({"symplectic_euler", "ballistic"}));
+    add_quantity(*command, "--step", options->step, Unit::second, above(0), to(0.1), "Length of a tick in place of the table's");
+    command->add_flag("--audit", options->audit, "Check every stretch of path densely against the true distance");
+    command->add_option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV");
+    command->add_option("--events", options->events, "Write what happens as JSON lines");
+    command->add_option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release");
+    command->add_flag("--json", options->json, "Print the summary as JSON");
+    command->add_flag("--no-sweep", options->no_sweep)->group("");  // for tests of the auditor: balls tunnel
+    command->callback([options, &exit] {
+        run(*options);
+        exit = Exit::fine;
+    });
+}
+
+}  // namespace pinfield::cli

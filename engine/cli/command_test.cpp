@@ -1,0 +1,136 @@
+// pinfield test FILE: runs the `tests:` of a table.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#include "engine/cli/command.h"
+#include "engine/cli/json.h"
+#include "engine/cli/output.h"
+#include "engine/cli/table.h"
+#include "engine/core/numbers.h"
+#include "engine/physics/simulation.h"
+
+namespace pinfield::cli {
+namespace {
+
+struct Options {
+    std::string file;
+    bool json = false;
+};
+
+/// Counts what hit which node.
+class HitCounter : public SimulationObserver {
+public:
+    explicit HitCounter(const Scene& scene) : scene_(scene) {}
+
+    void after_tick(const World& world) override {
+        for (const Event& event : world.events())
+            if (event.kind == EventKind::hit) ++hits_[event.node];
+    }
+
+    /// Hits of a node and of everything in it: a hit names the shape that was touched.
+    std::int64_t hits(NodeId node) const {
+        std::int64_t sum = 0;
+        for (const auto& [touched, count] : hits_)
+            for (const Node* at = scene_.find(touched); at; at = scene_.find(at->parent))
+                if (at->id == node) sum += count;
+        return sum;
+    }
+
+private:
+    const Scene& scene_;
+    std::map<NodeId, std::int64_t> hits_;
+};
+
+struct Verdict {
+    std::string name;
+    std::vector<std::string> failures;  ///< each expectation that did not hold, with what was there instead
+};
+
+bool compare(double a, const std::string& comparison, double b) {
+    if (comparison == "==") return a == b;
+    if (comparison == "!=") return a != b;
+    if (comparison == "<") return a < b;
+    if (comparison == "<=") return a <= b;
+    if (comparison == ">") return a > b;
+    return a >= b;
+}
+
+/// Value of `escaped`, `drained` or `<id>.hits`: what the reader lets pass.
+double measure(const std::string& quantity, const SimulationSummary& summary, const HitCounter& counter, const Scene& scene) {
+    if (quantity == "escaped") return summary.escaped;
+    if (quantity == "drained") return static_cast<double>(summary.drained);
+    const Node* node = scene.find(std::string_view(quantity).substr(0, quantity.rfind('.')));
+    return node ? static_cast<double>(counter.hits(node->id)) : 0;
+}
+
+Verdict judge(const Table& table, const TableTest& test, std::size_t index) {
+    World world(table.program);
+    for (const TableTest::Launch& launch : test.launches) world.add_ball(launch.at, launch.velocity);
+    if (test.launches.empty()) world.add_spawned_balls();
+    HitCounter counter(table.scene);
+    SimulationOptions how;
+    how.seconds = test.run;
+    how.observer = &counter;
+    const SimulationSummary summary = simulate(world, how);
+
+    Verdict verdict{test.name.empty() ? fmt::format("test {}", index + 1) : test.name, {}};
+    for (const TableTest::Expectation& expected : test.expectations) {
+        const double found = measure(expected.quantity, summary, counter, table.scene);
+        if (compare(found, expected.comparison, expected.value)) continue;
+        const LineColumn place = table.source->place(expected.where.begin);
+        verdict.failures.push_back(fmt::format("{}:{}:{}: expected {}, but {} is {}", table.source->name(), place.line, place.column,
+                                               expected.text, expected.quantity, to_text(found)));
+    }
+    return verdict;
+}
+
+std::string text_of(const std::vector<Verdict>& verdicts, int failed) {
+    std::string text;
+    for (const Verdict& verdict : verdicts) {
+        text += fmt::format("{} {}\n", verdict.failures.empty() ? "pass" : "FAIL", verdict.name);
+        for (const std::string& failure : verdict.failures) text += fmt::format("     {}\n", failure);
+    }
+    return text + fmt::format("{} passed, {} failed\n", static_cast<int>(verdicts.size()) - failed, failed);
+}
+
+std::string json_of(const std::vector<Verdict>& verdicts, int failed) {
+    std::vector<std::string> tests;
+    for (const Verdict& verdict : verdicts) {
+        std::vector<std::string> failures;
+        for (const std::string& failure : verdict.failures) failures.push_back(json_text(failure));
+        tests.push_back(
+            JsonObject().add("name", verdict.name).add("passed", verdict.failures.empty()).add_raw("failures", json_array(failures)).text());
+    }
+    return JsonObject()
+               .add("passed", static_cast<int>(verdicts.size()) - failed)
+               .add("failed", failed)
+               .add_raw("tests", json_array(tests))
+               .text() +
+           "\n";
+}
+
+Exit test(const Options& options) {
+    const Table table = open_table(options.file);
+    std::vector<Verdict> verdicts;
+    int failed = 0;
+    for (std::size_t i = 0; i < table.scene.tests.size(); ++i) {
+        verdicts.push_back(judge(table, table.scene.tests[i], i));
+        if (!verdicts.back().failures.empty()) ++failed;
+    }
+    print(options.json ? json_of(verdicts, failed) : text_of(verdicts, failed));
+    return failed == 0 ? Exit::fine : Exit::wrong;
+}
+
+}  // namespace
+
+void add_test(CLI::App& app, Exit& exit) {
+    CLI::App* command = app.add_subcommand("test", "Run a table's own tests");
+    const auto options = std::make_shared<Options>();
+    command->add_option("FILE", options->file, "Table file")->required();
+    command->add_flag("--json", options->json, "Print the results as JSON");
+    command->callback([options, &exit] { exit = test(*options); });
+}
+
+}  // namespace pinfield::cli
