@@ -104,7 +104,7 @@ std::optional<std::string> Document::write(const Edit& edit, Scene& scene, Step&
     if (auto why = refuse(scene, edit)) return why;
     const Result<TextPatch> patch = patch_for(*step.source_after, scene, edit);
     if (!patch) return patch.error().message;
-    step.source_after = named(apply_patch(step.source_after->text(), *patch));
+    step.source_after = named(apply(*patch, step.source_after->text()));
     step.forward.push_back(edit);
     step.backward.insert(step.backward.begin(), apply(scene, edit));
     ReadResult reading = read_table(step.source_after, catalogue_);  // the next patch needs the new places

@@ -55,6 +55,7 @@ public:
     /// While something is previewed, either one only takes the preview back.
     void undo();
     void redo();
+    std::size_t undo_steps() const { return position_; }
     const std::string* undo_label() const;
     const std::string* redo_label() const;
 

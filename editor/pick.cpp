@@ -27,10 +27,10 @@ double area_of(const Box2& box) {
     return box.size().x() * box.size().y();
 }
 
-/// Neither the node nor a group or operation it lies in is locked.
+/// A scene node (the edge of a table without a domain belongs to the table's record), and neither it nor what it lies in is locked.
 bool is_free(const Scene& scene, NodeId id) {
     const Node* node = scene.find(id);
-    if (!node) return false;
+    if (!node || node->type->meta.kind == NodeKind::record) return false;
     for (; node; node = node->parent ? scene.find(node->parent) : nullptr)
         if (node->get<bool>("locked")) return false;
     return true;

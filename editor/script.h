@@ -1,0 +1,68 @@
+// Runs a script's steps over the editor: on its state where a name is enough, through the window's own mouse and keys where a hand
+// is due. Frames and ticks are counted, never timed, so that a script does the same everywhere.
+#pragma once
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "editor/app_state.h"
+#include "engine/io/script_reader.h"
+
+namespace pinfield::editor {
+
+/// What a script needs of a window. Events go the way of the user's own; they are seen by the next frame.
+class ScriptHost {
+public:
+    virtual ~ScriptHost() = default;
+    virtual void move_mouse(const Vec2& pixel) = 0;  ///< window pixels, y down
+    virtual void press_mouse(bool down) = 0;         ///< the left button
+    virtual void press_key(std::string_view key, bool down) = 0;
+    /// Writes the frame drawn last as a PNG.
+    virtual Result<bool> screenshot(const std::string& path) = 0;
+    virtual int ticks_per_frame() const = 0;
+};
+
+/// The loop around it:
+///     while (!runner.done()) { const int ticks = runner.before_frame(state, host); draw a frame that advances by ticks; }
+class ScriptRunner {
+public:
+    /// A script without errors.
+    ScriptRunner(SourceText source, Script script);
+
+    bool done() const { return !failure_.empty() || index_ >= script_.steps.size(); }
+    /// "steps.yaml:4:3: step 2 (expect): why"; empty while all is well.
+    const std::string& failure() const { return failure_; }
+    /// Does what is due before the next frame and tells how many ticks that frame is to advance. Steps that need no frame of their
+    /// own are done at once; a drag, a key and a wait take several.
+    int before_frame(AppState& state, ScriptHost& host);
+
+private:
+    /// Ticks of the frame a step is waiting for, or nothing when it is done.
+    using Frame = std::optional<int>;
+
+    Frame run(const ScriptStep& step, AppState& state, ScriptHost& host);
+    Frame run_action(const ScriptStep& step, AppState& state);
+    Frame run_set(const ScriptStep& step, AppState& state);
+    Frame run_drag(const ScriptStep& step, const AppState& state, ScriptHost& host);
+    Frame run_key(const ScriptStep& step, ScriptHost& host);
+    Frame run_wait(int ticks, const ScriptHost& host);
+    Frame run_screenshot(const ScriptStep& step, ScriptHost& host);
+    Frame run_expect(const ScriptStep& step, const AppState& state);
+    Frame fail(const std::string& why);
+
+    SourceText source_;
+    Script script_;
+    std::string failure_;
+    std::size_t index_ = 0;
+    int frame_ = 0;          ///< frames that the present step has had
+    int ticks_run_ = 0;      ///< ticks that the present step has had
+    bool released_ = false;  ///< the key of the present step
+    int frames_to_settle_;   ///< before the first step: the window lays its panels out
+};
+
+/// Why a field of a node, or a quantity of the editor, is not what was expected; or nothing. Quantities: `<node>.hits`, and of the
+/// node `editor`: dirty, playing, selection, hits, drained, balls, problems, undo_steps. A value of a quantity may begin with a
+/// comparison (">= 3").
+std::optional<std::string> unmet(const ScriptStep& expectation, const AppState& state);
+
+}  // namespace pinfield::editor
