@@ -13,18 +13,20 @@ struct AuditReport {
 };
 
 /// Feed it after every tick of a world that records its paths. Samples are spaced by at most `spacing` of path (at least 8 a segment);
-/// movers are taken at their own place at each sample's time, interpolated from the tick's start and end states.
+/// movers are taken at their own place at each sample's time. Between two samples that are near a surface it also looks for a
+/// boundary that lies between them, so that a jump over a wall thinner than the spacing does not go unseen.
 class Auditor {
 public:
-    explicit Auditor(const World& world, double spacing = 1e-3);
-    ~Auditor();
+    explicit Auditor(double spacing = 1e-3) : spacing_(spacing) {}
     void after_tick(const World& world);
     const AuditReport& report() const { return report_; }
 
 private:
+    void check(const World& world, const PathSegment& path);
+
     double spacing_;
     AuditReport report_;
-    std::vector<MoverState> movers_before_;
+    std::vector<double> q_;  ///< of the movers at the sample's time
 };
 
 }  // namespace pinfield

@@ -33,7 +33,7 @@ FieldSweep SweptField::sweep(const Motion& motion, double duration, double radiu
             if (tree.time < out.hit.time) out.hit = {tree.time, tree.normal, 0, solid, tree.leaf, -1};
         } else {
             const SweepPiece& piece = pieces_[at(entry)];
-            if (!in_layers(piece.solid, layers)) return;
+            if (!(piece.layers & layers)) return;
             const Foot foot = nearest_on(piece, motion.position);
             nearest = std::min(nearest, foot.distance);
             if (foot.distance - radius > travel + band.tolerance) return;
@@ -66,7 +66,7 @@ void SweptField::touching(const Vec2& p, double radius, double skin, LayerMask l
                 out.push_back({truth.gradient / size, truth.distance - radius, 0, solid, truth.leaf, -1});
         } else {
             const SweepPiece& piece = pieces_[at(entry)];
-            if (!in_layers(piece.solid, layers)) return;
+            if (!(piece.layers & layers)) return;
             const Foot foot = nearest_on(piece, p);
             if (foot.outside && foot.distance - radius <= skin)
                 out.push_back({foot.normal, foot.distance - radius, foot.hollow, piece.solid, piece.leaf, entry});

@@ -35,6 +35,7 @@ SweepPiece prepared(const BoundaryPiece& boundary) {
     p.full = from.is_full_circle();
     p.solid = boundary.solid;
     p.leaf = boundary.leaf;
+    p.layers = boundary.layers;
     if (!from.is_arc()) {
         const Vec2 d = p.b - p.a;
         p.length = length(d);

@@ -18,6 +18,7 @@ struct SweepPiece {
     bool reflex = false, full = false;
     bool corner_a = true, corner_b = true;  ///< a ball can touch that end alone: a convex corner, or a loose end
     int solid = 0, leaf = 0;
+    LayerMask layers = ground_layer;
 };
 
 /// Pieces of a field in its order. Ends where two pieces join smoothly, or in a concave corner, are no corners.

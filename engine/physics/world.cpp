@@ -5,7 +5,7 @@
 #include "engine/core/hash.h"
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
-#include "engine/scene/parts/spawn.h"
+#include "engine/program/parts.h"
 
 namespace pinfield {
 

@@ -1,7 +1,7 @@
 // The flipper's reflex: a bat with one degree of freedom, driven by torque between two end-stops.
 #pragma once
 #include "engine/physics/world.h"
-#include "engine/scene/parts/flipper.h"
+#include "engine/program/parts.h"
 
 namespace pinfield {
 

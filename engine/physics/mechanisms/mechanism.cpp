@@ -3,8 +3,7 @@
 #include "engine/physics/mechanisms/flipper.h"
 #include "engine/physics/mechanisms/plunger.h"
 #include "engine/program/evaluate.h"
-#include "engine/scene/parts/bumper.h"
-#include "engine/scene/parts/drain.h"
+#include "engine/program/parts.h"
 
 namespace pinfield {
 

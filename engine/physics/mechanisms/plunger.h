@@ -1,7 +1,7 @@
 // The plunger's reflex: a rod of prescribed speed, drawn back while its input is held and shooting forward when let go.
 #pragma once
 #include "engine/physics/world.h"
-#include "engine/scene/parts/plunger.h"
+#include "engine/program/parts.h"
 
 namespace pinfield {
 

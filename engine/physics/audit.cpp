@@ -1,0 +1,98 @@
+#include "engine/physics/audit.h"
+
+#include <algorithm>
+
+#include "engine/physics/sweep_mover.h"
+#include "engine/program/evaluate.h"
+
+namespace pinfield {
+
+namespace {
+
+constexpr double most_samples = 100000;  // of one segment
+constexpr int fine_samples = 16;         // between two samples, near solids whose boundary is not known as pieces
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+/// Where the movers are at a time since the world's start.
+void place_movers(const World& world, double time, std::vector<double>& q) {
+    q.clear();
+    for (const MoverState& s : world.movers()) q.push_back(s.q);
+    for (const MoverSegment& segment : world.mover_paths())
+        if (time <= segment.start + segment.duration && time >= segment.start)
+            q[at(segment.mover)] = segment.at(time - segment.start);
+}
+
+/// Does the step from a to b pass through the piece from one side to the other?
+bool crosses(const sdf::Piece& piece, const Vec2& a, const Vec2& b) {
+    if (!piece.is_arc()) {
+        const Vec2 d = piece.b - piece.a;
+        const double sa = cross(d, a - piece.a), sb = cross(d, b - piece.a);
+        const double ea = cross(b - a, piece.a - a), eb = cross(b - a, piece.b - a);
+        return (sa > 0) != (sb > 0) && (ea > 0) != (eb > 0);
+    }
+    const double da = length(a - piece.centre) - piece.radius, db = length(b - piece.centre) - piece.radius;
+    if ((da > 0) == (db > 0)) return false;
+    Vec2 foot;
+    return distance_to_piece(piece, a + (da / (da - db)) * (b - a), foot) < 1e-6;
+}
+
+bool crosses_boundary(const Field& field, const Vec2& a, const Vec2& b, LayerMask layers) {
+    bool found = false;
+    const int pieces = static_cast<int>(field.pieces.size());
+    field.bvh.overlapping(Box2::of(a, b), [&](int entry) {
+        if (entry >= pieces) {
+            const int solid = field.tree_solids[at(entry - pieces)];
+            if ((field.solids[at(solid)].layers & layers) == 0) return;
+            for (int k = 1; k < fine_samples; ++k)
+                found = found || nearest_of_solid(field, solid, a + (static_cast<double>(k) / fine_samples) * (b - a)).distance < 0;
+        } else if (field.pieces[at(entry)].layers & layers) {
+            found = found || crosses(field.pieces[at(entry)].piece, a, b);
+        }
+    });
+    return found;
+}
+
+}  // namespace
+
+void Auditor::after_tick(const World& world) {
+    for (const PathSegment& path : world.paths()) check(world, path);
+}
+
+void Auditor::check(const World& world, const PathSegment& path) {
+    ++report_.segments;
+    const Program& program = world.program();
+    const Ball* ball = world.find(path.ball);
+    const LayerMask layers = ball ? ball->layer : ground_layer;
+    const double r = program.physics.ball_radius;
+    const double way = length(path.velocity) * path.duration + 0.5 * length(path.acceleration) * path.duration * path.duration;
+    const int samples = static_cast<int>(std::clamp(std::ceil(way / spacing_), 8.0, most_samples));
+    bool crossed = false;
+    Vec2 before = path.position;
+    double gap_before = 0;
+    std::vector<double> q_before;
+    for (int k = 0; k <= samples; ++k) {
+        const double t = path.duration * (static_cast<double>(k) / samples);
+        const Vec2 p = path.at(t);
+        place_movers(world, path.start + t, q_);
+        const double distance = gap_at(program, q_, p, layers, 2 * r).distance;
+        report_.worst_depth = std::max(report_.worst_depth, r - distance);
+        if (distance < 0) crossed = true;
+        const double step = length(p - before);
+        if (k > 0 && !crossed && std::min(distance, gap_before) < step + spacing_) {
+            crossed = crosses_boundary(program.fixed, before, p, layers);
+            for (std::size_t m = 0; m < program.movers.size() && !crossed; ++m) {
+                const MoverState& s = world.movers()[m];
+                const Mover& mover = program.movers[m];
+                crossed = crosses_boundary(mover.field, pose_of(mover, s.rotates, s.axis, q_before[m]).place_from_world(before),
+                                           pose_of(mover, s.rotates, s.axis, q_[m]).place_from_world(p), layers);
+            }
+        }
+        before = p;
+        gap_before = distance;
+        q_before = q_;
+    }
+    if (crossed) ++report_.crossings;
+}
+
+}  // namespace pinfield

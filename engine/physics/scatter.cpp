@@ -1,0 +1,25 @@
+#include "engine/physics/scatter.h"
+
+#include "engine/core/rng.h"
+#include "engine/core/trig.h"
+
+namespace pinfield {
+
+int scatter_balls(World& world, int n, double speed, std::uint64_t seed) {
+    constexpr double spare = 1e-3;    // metres
+    constexpr int most_tries = 1000;  // a ball, before the table counts as full
+    const Program& program = world.program();
+    const double r = program.physics.ball_radius;
+    CounterRng rng(seed, 0x5ca77e2);
+    int placed = 0;
+    for (int tries = 0; placed < n && tries < most_tries * n; ++tries) {
+        const Vec2 p(rng.in(0, program.size.x()), rng.in(0, program.size.y()));
+        if (gap_at(world, p).distance < r + spare) continue;
+        const SineCosine direction = sine_cosine(rng.in(0, two_pi));
+        world.add_ball(p, speed * Vec2(direction.cosine, direction.sine));
+        ++placed;
+    }
+    return placed;
+}
+
+}  // namespace pinfield

@@ -1,0 +1,98 @@
+#include "engine/physics/simulation.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "engine/program/evaluate.h"
+#include "engine/program/parts.h"
+
+namespace pinfield {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;  // for the report only; nothing in the simulation reads it
+
+/// Is p outside the domain: in the solid that is everything around it?
+bool outside_domain(const Program& program, const Vec2& p, int solid) {
+    const Solid& found = program.fixed.solids[static_cast<std::size_t>(solid)];
+    const bool boundary = found.part < 0 ? !found.bounds.is_finite() : program.parts[static_cast<std::size_t>(found.part)].is<parts::Domain>();
+    return boundary && nearest_of_solid(program.fixed, solid, p).distance < 0;
+}
+
+bool escaped(const World& world, const Ball& ball, double distance) {
+    if (distance < -world.program().physics.ball_radius) return true;
+    if (distance >= 0) return false;
+    for (std::size_t s = 0; s < world.program().fixed.solids.size(); ++s)
+        if (outside_domain(world.program(), ball.position, static_cast<int>(s))) return true;
+    return false;
+}
+
+/// Everything that is judged at the end of a tick.
+class Referee {
+public:
+    Referee(const World& world, SimulationSummary& summary) : summary_(summary), escaped_(world.balls().size(), false) {}
+
+    void after_tick(World& world) {
+        for (const Event& event : world.events()) {
+            ++summary_.events[static_cast<std::size_t>(event.kind)];
+            if (event.kind == EventKind::quarantine) summary_.finite = false;
+        }
+        const double r = world.program().physics.ball_radius;
+        for (const MoverState& s : world.movers()) q_.push_back(s.q);
+        for (std::size_t i = 0; i < world.balls().size(); ++i) {
+            const Ball& ball = world.balls()[i];
+            if (ball.state == BallState::quarantined || ball.state == BallState::drained) continue;
+            const double distance = gap_at(world.program(), q_, ball.position, ball.layer, 2 * r).distance;
+            summary_.max_penetration = std::max(summary_.max_penetration, r - distance);
+            if (i < escaped_.size() && !escaped_[i] && escaped(world, ball, distance)) {
+                escaped_[i] = true;
+                ++summary_.escaped;
+            }
+        }
+        q_.clear();
+    }
+
+private:
+    SimulationSummary& summary_;
+    std::vector<bool> escaped_;
+    std::vector<double> q_;
+};
+
+}  // namespace
+
+SimulationSummary simulate(World& world, const SimulationOptions& options) {
+    SimulationSummary summary;
+    summary.ticks = std::llround(options.seconds / world.step_length());
+    summary.balls = static_cast<int>(world.balls().size());
+    summary.energy_first = world.energy();
+    world.record_paths(options.audit);
+    Auditor auditor;
+    Referee referee(world, summary);
+    auto input = options.inputs.begin();
+    Clock::duration spent{};
+    std::int64_t ball_steps = 0;
+    for (std::int64_t k = 0; k < summary.ticks; ++k) {
+        for (; input != options.inputs.end() && input->tick <= world.tick(); ++input) world.set_input(input->input, input->value);
+        const auto start = Clock::now();
+        world.step();
+        spent += Clock::now() - start;
+        ball_steps += static_cast<std::int64_t>(world.balls().size());
+        referee.after_tick(world);
+        if (options.audit) auditor.after_tick(world);
+        if (options.observer) options.observer->after_tick(world);
+        for (const Event& event : world.events())
+            if (event.kind == EventKind::drain) {
+                ++summary.drained;
+                world.put_back(event.ball);
+            }
+    }
+    summary.wall_seconds = std::chrono::duration<double>(spent).count();
+    summary.ball_steps_per_second = summary.wall_seconds > 0 ? static_cast<double>(ball_steps) / summary.wall_seconds : 0;
+    summary.energy_last = world.energy();
+    summary.state_hash = world.state_hash();
+    if (options.audit) summary.audit = auditor.report();
+    world.record_paths(false);
+    return summary;
+}
+
+}  // namespace pinfield
