@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
 #include "engine/scene/edit.h"
 #include "engine/scene/part_traits.h"
@@ -45,15 +46,20 @@ bool report_unsupported(ReadContext& context, const NodeType& type, const YamlNo
     return false;
 }
 
+/// The integers of an operation are counts of copies.
+bool repeats_too_often(const ReadContext& context, const FieldType& field, const YamlNode& value) {
+    if (field.kind != FieldKind::integer || value.kind != YamlKind::scalar) return false;
+    const auto count = read_quantity(value.text, Unit::none);
+    return count && count->value > static_cast<double>(context.limits.repeats);
+}
+
 void read_field(ReadContext& context, Node& node, int index, const YamlNode& key, const YamlNode& value) {
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
     const FieldType& field = node.type->fields[static_cast<std::size_t>(index)];
+    if (node.type->meta.kind == NodeKind::operation && repeats_too_often(context, field, value))
+        return context.report(Code::too_many_repeats, value.span, fmt::format("more than {} copies", context.limits.repeats));
     const auto read = read_value(context, field, value);
-    if (!read) return;
-    if (field.kind == FieldKind::integer && node.type->meta.kind == NodeKind::operation &&
-        std::get<std::int64_t>(*read) > static_cast<std::int64_t>(context.limits.repeats))
-        return context.report(Code::too_many_repeats, value.span, fmt::format("{} copies; at most {} are made", value.text, context.limits.repeats));
-    node.fields[static_cast<std::size_t>(index)] = {*read, true, value.span};
+    if (read) node.fields[static_cast<std::size_t>(index)] = {*read, true, value.span};
 }
 
 bool allows_any_node(const NodeType* parent) { return !parent || (parent->part && parent->part->role == Role::group); }
@@ -93,6 +99,7 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     if (item.kind != YamlKind::map || item.entries() != 1) return report_no_node(context, item);
     const YamlNode& key = item.key(0);
     const YamlNode& body = item.value(0).resolved();
+    if (!is_plain_key(key)) return;
     if (key.text == "use") return context.report(Code::use_unsupported, key.span, "use is not supported yet");
     const NodeType* type = find_node_type(context.catalogue, key.text);
     if (!type) return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text), suggestion(key.text, node_words(context.catalogue)));
@@ -118,6 +125,7 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
     for (std::size_t i = 0; i < body.entries(); ++i) {
         const YamlNode& field_key = body.key(i);
         const YamlNode& value = body.value(i).resolved();
+        if (!is_plain_key(field_key)) continue;
         if (i > 0 && value.kind == YamlKind::null && report_comma_split(context, body.value(i - 1))) continue;
         if (const auto index = node.type->find_field(field_key.text)) read_field(context, node, *index, field_key, value);
         else if (std::find(skipped.begin(), skipped.end(), field_key.text) == skipped.end() && !report_unsupported(context, *node.type, field_key))

@@ -31,6 +31,9 @@ std::string suggestion(std::string_view word, const std::vector<std::string_view
 /// [a-z_][a-z0-9_]*
 bool is_name(std::string_view text);
 
+/// False for the keys that read_yaml() has reported already: lists, maps, null and <<.
+inline bool is_plain_key(const YamlNode& key) { return key.kind == YamlKind::scalar && key.text != "<<"; }
+
 /// Reports a key whose value is missing, with the reason where a comment swallowed it.
 void report_missing_value(ReadContext& context, const YamlNode& key, const YamlNode& value);
 

@@ -26,6 +26,7 @@ FieldType number_field(std::string_view key, Unit unit, Limit min, Limit max, Fi
 }
 
 void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const YamlNode& value) {
+    if (!is_plain_key(key)) return;
     if (!is_name(key.text)) return context.report(Code::bad_name, key.span, fmt::format("{} is no name for an input", key.text), "small letters, digits and _");
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
     InputBinding binding{std::string(key.text), {}, {key.span.begin, value.span.end}};
@@ -52,6 +53,7 @@ void read_entries(ReadContext& context, std::string_view what, const YamlNode& m
     for (std::size_t i = 0; i < map.entries(); ++i) {
         const auto it = std::find(keys.begin(), keys.end(), map.key(i).text);
         const YamlNode& value = map.value(i).resolved();
+        if (!is_plain_key(map.key(i))) continue;
         if (it == keys.end()) context.report(Code::unknown_key, map.key(i).span, fmt::format("{} has no {}", what, map.key(i).text), suggestion(map.key(i).text, keys));
         else if (value.kind == YamlKind::null) report_missing_value(context, map.key(i), value);
         else read(it - keys.begin(), value);

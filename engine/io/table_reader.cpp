@@ -43,6 +43,7 @@ void read_materials(ReadContext& context, Scene& scene, const YamlNode& section)
     for (std::size_t i = 0; i < section.entries(); ++i) {
         const YamlNode& key = section.key(i);
         const YamlNode& body = section.value(i).resolved();
+        if (!is_plain_key(key)) continue;
         const bool after_empty = i > 0 && section.value(i - 1).resolved().is_empty();
         if (after_empty && type.find_field(key.text) && body.kind == YamlKind::scalar)
             context.report(Code::under_indented, key.span, fmt::format("the fields of {} are indented too little", section.key(i - 1).text), "indent two more");
@@ -65,6 +66,7 @@ void report_unknown_section(ReadContext& context, const YamlNode& root, std::siz
 void read_sections(ReadContext& context, Scene& scene, const YamlNode& root) {
     for (std::size_t i = 0; i < root.entries(); ++i) {
         const std::string_view key = root.key(i).text;
+        if (!is_plain_key(root.key(i))) continue;
         const YamlNode& value = root.value(i).resolved();
         const auto refused = std::find_if(unsupported.begin(), unsupported.end(), [&](const Unsupported& u) { return u.key == key; });
         if (refused != unsupported.end()) context.report(refused->code, root.key(i).span, fmt::format("{} {} not supported yet", key, key.ends_with('s') ? "are" : "is"));
@@ -73,7 +75,7 @@ void read_sections(ReadContext& context, Scene& scene, const YamlNode& root) {
         else if (key == "materials") read_materials(context, scene, value);
         else if (key == "scene") read_nodes(context, scene, {}, value);
         else if (key == "inputs") read_inputs(context, scene, value);
-        else if (std::find(section_keys.begin(), section_keys.end(), key) == section_keys.end() && key != "<<") report_unknown_section(context, root, i);
+        else if (std::find(section_keys.begin(), section_keys.end(), key) == section_keys.end()) report_unknown_section(context, root, i);
     }
     check_scene(context, scene);
     if (const YamlNode* tests = root.find("tests")) read_tests(context, scene, *tests);

@@ -59,7 +59,7 @@ public:
     /// The smallest replacement of a value's text.
     TextPatch of(const YamlNode& node, const Value& before, const Value& after) const {
         if (const auto* pair = std::get_if<Vec2>(&after); pair && node.kind == YamlKind::sequence)
-            return around({pair_text(node, std::get<Vec2>(before), *pair)}, node, before, after);
+            return pair_patch(node, std::get<Vec2>(before), *pair);
         if (const auto* points = std::get_if<std::vector<Vec2>>(&after); points && node.kind == YamlKind::sequence)
             return points_patch(node, std::get<std::vector<Vec2>>(before), *points);
         if (node.kind == YamlKind::scalar) return {node.span, write_scalar_like(field_, after, node)};
@@ -67,10 +67,6 @@ public:
     }
 
 private:
-    struct Text {
-        std::string text;
-    };
-
     /// A pair again, each untouched component with the bytes it had.
     std::string pair_text(const YamlNode& node, const Vec2& before, const Vec2& after) const {
         const YamlNode &x = *node.items[0], &y = *node.items[1];
@@ -81,15 +77,13 @@ private:
                component(y, before.y(), after.y()) + slice(y.span.end, node.span.end);
     }
 
-    /// Narrows a replacement of the whole pair down to the components that change.
-    TextPatch around(const Text& whole, const YamlNode& node, const Value& before, const Value& after) const {
-        const auto& old_pair = std::get<Vec2>(before);
-        const auto& new_pair = std::get<Vec2>(after);
-        const bool same_x = identical(Value(old_pair.x()), Value(new_pair.x())), same_y = identical(Value(old_pair.y()), Value(new_pair.y()));
-        const std::size_t begin = same_x ? node.items[1]->span.begin : node.items[0]->span.begin;
-        const std::size_t end = same_y ? node.items[0]->span.end : node.items[1]->span.end;
-        const std::size_t kept_before = begin - node.span.begin, kept_after = node.span.end - end;
-        return {{begin, end}, whole.text.substr(kept_before, whole.text.size() - kept_before - kept_after)};
+    /// Only from the first to the last component that changes.
+    TextPatch pair_patch(const YamlNode& node, const Vec2& before, const Vec2& after) const {
+        const YamlNode &x = *node.items[0], &y = *node.items[1];
+        const bool same_x = identical(Value(before.x()), Value(after.x())), same_y = identical(Value(before.y()), Value(after.y()));
+        if (same_x) return {y.span, write_number_like(field_, after.y(), &y)};
+        if (same_y) return {x.span, write_number_like(field_, after.x(), &x)};
+        return {{x.span.begin, y.span.end}, write_number_like(field_, after.x(), &x) + slice(x.span.end, y.span.begin) + write_number_like(field_, after.y(), &y)};
     }
 
     /// Points in common at both ends keep their bytes; what is between is written anew, point by point where the counts agree.

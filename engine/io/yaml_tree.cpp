@@ -122,6 +122,8 @@ public:
         if (what == YAML::ErrorMsg::TAB_IN_INDENTATION)
             return report(Code::tab_indentation, place, "a tab in the indentation", "indent with spaces");
         if (what == YAML::ErrorMsg::END_OF_MAP_FLOW || what == YAML::ErrorMsg::END_OF_SEQ_FLOW) return explain_unclosed(place);
+        if (what == YAML::ErrorMsg::MAP_VALUE)
+            return report(Code::yaml_syntax, place, "a key cannot stand here", "quote a text that holds a colon and a blank, and align the keys of a map");
         report(Code::yaml_syntax, place, std::string(what), hint_for(what));
     }
 
@@ -142,7 +144,6 @@ private:
     }
 
     static std::string hint_for(std::string_view what) {
-        if (what == YAML::ErrorMsg::MAP_VALUE) return "a colon and a blank make a key: quote a text that holds them, and align keys";
         if (what == YAML::ErrorMsg::UNKNOWN_TOKEN) return "quote a text that begins with a sign";
         if (what == YAML::ErrorMsg::EOF_IN_SCALAR) return "a quote is never closed";
         if (what == YAML::ErrorMsg::END_OF_MAP || what == YAML::ErrorMsg::END_OF_SEQ) return "lines of one list or map begin in the same column";

@@ -1,0 +1,93 @@
+#include "engine/io/files.h"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "engine/io/png.h"
+
+using namespace pinfield;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that goes away with the test.
+struct Folder {
+    fs::path path;
+    Folder() {
+        std::string pattern = (fs::temp_directory_path() / "pinfield-files-XXXXXX").string();
+        path = mkdtemp(pattern.data());
+    }
+    ~Folder() { fs::remove_all(path); }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    std::string file(const char* name) const { return (path / name).string(); }
+    std::size_t count() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator())); }
+};
+
+}  // namespace
+
+TEST_CASE("what is written is what is read, byte for byte") {
+    const Folder folder;
+    const std::string bytes("a\r\nb\0c\xFF", 7);
+    REQUIRE(write_file(folder.file("a"), bytes));
+    CHECK(*read_file(folder.file("a")) == bytes);
+    CHECK(folder.count() == 1);
+}
+
+TEST_CASE("a file larger than the limit is not read") {
+    const Folder folder;
+    REQUIRE(write_file(folder.file("a"), std::string(1000, 'x')));
+    CHECK(read_file(folder.file("a"), 1000));
+    CHECK_FALSE(read_file(folder.file("a"), 999));
+    CHECK_FALSE(read_file_start(folder.file("a"), 999)->whole);
+    CHECK_FALSE(read_file(folder.path.string()));
+    CHECK_FALSE(read_file("/dev/zero"));
+}
+
+TEST_CASE("saving keeps the previous content beside the file") {
+    const Folder folder;
+    REQUIRE(save_file(folder.file("t.yaml"), "one", std::nullopt));
+    REQUIRE(save_file(folder.file("t.yaml"), "two", "one"));
+    CHECK(*read_file(folder.file("t.yaml")) == "two");
+    CHECK(*read_file(folder.file("t.yaml.bak")) == "one");
+    CHECK(folder.count() == 2);
+}
+
+TEST_CASE("saving refuses when the disk no longer holds what was loaded") {
+    const Folder folder;
+    REQUIRE(write_file(folder.file("t.yaml"), "theirs"));
+    CHECK_FALSE(save_file(folder.file("t.yaml"), "mine", "loaded"));
+    CHECK_FALSE(save_file(folder.file("t.yaml"), "mine", std::nullopt));
+    CHECK_FALSE(save_file(folder.file("gone.yaml"), "mine", "loaded"));
+    CHECK(*read_file(folder.file("t.yaml")) == "theirs");
+}
+
+TEST_CASE("saving through a symbolic link replaces what it points at and keeps the permissions") {
+    const Folder folder;
+    REQUIRE(write_file(folder.file("real.yaml"), "one"));
+    fs::permissions(folder.file("real.yaml"), fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("real.yaml", folder.file("link.yaml"));
+    REQUIRE(save_file(folder.file("link.yaml"), "two", "one"));
+    CHECK(fs::is_symlink(folder.file("link.yaml")));
+    CHECK(*read_file(folder.file("real.yaml")) == "two");
+    CHECK(fs::status(folder.file("real.yaml")).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("a folder that is not there is a failure with its name") {
+    const auto result = write_file("/nonexistent/t.yaml", "x");
+    REQUIRE_FALSE(result);
+    CHECK(result.error().message.find("/nonexistent/t.yaml") != std::string::npos);
+}
+
+TEST_CASE("a picture is a PNG of its size") {
+    const Folder folder;
+    REQUIRE(write_png(folder.file("a.png"), 3, 2, std::vector<unsigned char>(18, 200)));
+    const std::string bytes = *read_file(folder.file("a.png"));
+    CHECK(bytes.substr(1, 3) == "PNG");
+    CHECK(bytes[19] == 3);
+    CHECK(bytes[23] == 2);
+    CHECK_FALSE(write_png(folder.file("b.png"), 3, 2, std::vector<unsigned char>(17)));
+    CHECK_FALSE(write_png(folder.file("b.png"), 0, 0, {}));
+}
