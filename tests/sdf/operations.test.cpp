@@ -1,0 +1,107 @@
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+
+#include "engine/sdf/catalog.h"
+#include "tests/sdf/support.h"
+
+namespace pinfield::sdf {
+namespace {
+
+constexpr Exactness exact{}, bound{Side::bound, Side::bound};
+using Two = std::array<Exactness, 2>;
+
+}  // namespace
+
+TEST_CASE("the complement of the complement is the thing itself") {
+    for (const double d : {-0.3, -0.0, 0.0, 0.2}) CHECK(Complement<double>::modify(Complement<double>::modify(d)) == d);
+    const std::array<Exactness, 1> child{Exactness{Side::exact, Side::bound, 1}};
+    const std::array<Exactness, 1> once{Complement<double>::exactness(child)};
+    CHECK(once[0] == Exactness{Side::bound, Side::exact, 1});
+    CHECK(Complement<double>::exactness(once) == child[0]);
+}
+
+TEST_CASE("the exclusive or of two discs that cross is exact on both sides") {
+    // Its outline is all of both circles, so the distance is the lesser of the distances to them.
+    const Vec2 a(-0.02, 0), b(0.02, 0.005);
+    for (const Vec2& p : points_within(0.1)) {
+        const double da = length(p - a) - 0.03, db = length(p - b) - 0.025;
+        const double f = Xor<double>::combine(da, db);
+        CHECK(std::fabs(f) == std::min(std::fabs(da), std::fabs(db)));
+        CHECK((f < 0) == ((da < 0) != (db < 0)));
+    }
+}
+
+TEST_CASE("the difference is the intersection with the complement, the union its dual") {
+    for (const double a : {-0.2, 0.0, 0.1})
+        for (const double b : {-0.1, 0.0, 0.3}) {
+            CHECK(Difference<double>::combine(a, b) == Intersection<double>::combine(a, -b));
+            CHECK(Union<double>::combine(a, b) == -Intersection<double>::combine(-a, -b));
+        }
+}
+
+TEST_CASE("each operation keeps of its children's exactness what it can and no more") {
+    CHECK(Union<double>::exactness(Two{exact, exact}) == Exactness{Side::exact, Side::bound, 1});
+    CHECK(Union<double>::exactness(Two{exact, bound}) == bound);
+    CHECK(Intersection<double>::exactness(Two{exact, exact}) == Exactness{Side::bound, Side::exact, 1});
+    CHECK(Difference<double>::exactness(Two{exact, exact}) == Exactness{Side::bound, Side::exact, 1});
+    CHECK(Difference<double>::exactness(Two{exact, {Side::bound, Side::exact, 1}}) == bound);
+    CHECK(Difference<double>::exactness(Two{exact, {Side::exact, Side::bound, 1}}) == Exactness{Side::bound, Side::exact, 1});
+    CHECK(Intersection<double>::exactness(Two{exact, {Side::exact, Side::exact, 2}}).lipschitz == 2);
+    const std::array<Exactness, 1> single{exact};
+    CHECK(Union<double>::exactness(single) == exact);
+    CHECK(Xor<double>::exactness(single) == exact);
+    CHECK(SmoothUnion<double>{}.exactness(single) == exact);
+    CHECK(Round<double>{.radius = 0}.exactness(single) == exact);
+    CHECK(RepeatPolar<double>{.count = 1}.exactness(single) == exact);
+    CHECK(Onion<double>::exactness(std::array{Exactness{Side::exact, Side::bound, 1}}) == bound);
+}
+
+TEST_CASE("a smooth union lowers what coincides by k, leaves alone what is 4 k apart, and is symmetric") {
+    const SmoothUnion<double> goo{.k = 0.01};
+    for (const double a : {-0.05, 0.0, 0.02}) {
+        CHECK(goo.combine(a, a) == Approx(a - 0.01).margin(1e-17));
+        CHECK(goo.combine(a, a + 0.04) == a);
+        CHECK(goo.combine(a + 0.05, a) == a);
+        CHECK(goo.combine(a, a + 0.013) == goo.combine(a + 0.013, a));
+    }
+    const SmoothUnion<double> dry{.k = 0};
+    CHECK(dry.combine(0.01, 0.02) == 0.01);
+    CHECK(dry.combine(0.01, 0.01) == 0.01);
+}
+
+TEST_CASE("a smooth difference is the smooth union of the complement, complemented") {
+    const SmoothUnion<double> add{.k = 0.01};
+    const SmoothDifference<double> cut{.k = 0.01};
+    for (const double a : {-0.03, 0.0, 0.02})
+        for (const double b : {-0.02, 0.01}) CHECK(cut.combine(a, b) == -add.combine(-a, b));
+    CHECK(cut.combine(0.02, -0.02) == Approx(0.03));
+}
+
+TEST_CASE("where two fields tie, a smooth union's weights are one half each") {
+    const SmoothUnion<Dual> goo{.k = Dual(0.01)};
+    const Dual f = goo.combine(Dual(0.003, 1, 0), Dual(0.003, 0, 1));
+    CHECK(f.dx == Approx(0.5));
+    CHECK(f.dy == Approx(0.5));
+}
+
+TEST_CASE("rounding twice is rounding by the sum, and onions stack") {
+    for (const double d : {-0.02, 0.0, 0.03}) {
+        CHECK(Round<double>{.radius = 0.01}.modify(Round<double>{.radius = 0.02}.modify(d)) ==
+              Approx(Round<double>{.radius = 0.03}.modify(d)).margin(1e-17));
+        CHECK(Onion<double>{.thickness = 0.01}.modify(d) == std::fabs(d) - 0.005);
+    }
+}
+
+TEST_CASE("quarter turns of a polar repetition are exact, and mirror images lie where they should") {
+    const std::vector<Similarity> images = RepeatPolar<double>{.count = 4}.images();
+    REQUIRE(images.size() == 4);
+    CHECK(images[1] * Vec2(1, 2) == Vec2(-2, 1));
+    CHECK(images[2] * Vec2(1, 2) == Vec2(-1, -2));
+    CHECK(images[3] * Vec2(1, 2) == Vec2(2, -1));
+    CHECK(Mirror<double>{.across = Axis::x}.images()[1] * Vec2(1, 2) == Vec2(-1, 2));
+    CHECK(Mirror<double>{.across = Axis::y}.images()[1] * Vec2(1, 2) == Vec2(1, -2));
+}
+
+}  // namespace pinfield::sdf
