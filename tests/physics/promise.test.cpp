@@ -1,0 +1,187 @@
+// The promise: no ball ever passes through a solid, at any speed; energy is exact; same inputs, same bits.
+#include "engine/core/hash.h"
+#include "engine/core/trig.h"
+#include "engine/physics/bench.h"
+#include "engine/physics/scatter.h"
+#include "engine/physics/simulation.h"
+#include "engine/scene/playfield.h"
+#include "tests/physics/support.h"
+
+using namespace pinfield;
+using namespace pinfield::physics_test;
+
+namespace {
+
+constexpr double r = 0.0135;
+
+ProgramPtr generated(int obstacles) {
+    const auto program = compile(playfield(catalogue(), obstacles));
+    REQUIRE(program);
+    return *program;
+}
+
+SimulationSummary soak(const ProgramPtr& program, int balls, double seconds, double speed, WorldOptions options, bool beating) {
+    options.balls_collide = false;
+    World world(program, options);
+    REQUIRE(scatter_balls(world, balls, speed, options.seed) == balls);
+    SimulationOptions run;
+    run.seconds = seconds;
+    run.audit = true;
+    const auto ticks = static_cast<std::int64_t>(seconds / world.step_length());
+    for (std::int64_t t = 0; beating && t < ticks; ++t)
+        for (int i = 0; i < static_cast<int>(program->inputs.size()); ++i)
+            if ((t + 7 * i) % 60 == 0) run.inputs.push_back({t, i, (t + 7 * i) / 60 % 2 ? 0.0 : 1.0});
+    return simulate(world, run);
+}
+
+void check_clean(const SimulationSummary& s) {
+    CHECK(s.escaped == 0);
+    CHECK(s.finite);
+    CHECK(s.max_penetration < 1e-6);
+    REQUIRE(s.audit);
+    CHECK(s.audit->crossings == 0);
+    CHECK(s.audit->worst_depth < 1e-6);
+    CHECK(s.audit->segments > 0);
+}
+
+}  // namespace
+
+TEST_CASE("a ball at 1000 m/s never passes a 1 mm wall") {
+    const ProgramPtr program = program_of("pinfield: 1\ntable: {size: [1, 1]}\nscene:\n  - box: {size: [1mm, 1], at: [0.5, 0.5]}\n");
+    for (const double e : {0.0, 0.6, 1.0}) {
+        WorldOptions options;
+        options.restitution = e;
+        World world(program, options);
+        for (int i = 0; i < 40; ++i) world.add_ball({0.1 + 0.008 * i, 0.1 + 0.02 * i}, {1000, 5.0 * i - 100});
+        world.record_paths(true);
+        Auditor auditor;
+        for (int t = 0; t < 200; ++t) {
+            world.step();
+            auditor.after_tick(world);
+            for (const Ball& ball : world.balls()) REQUIRE(ball.position.x() < 0.5 - 0.0005 - r + 1e-9);
+        }
+        CHECK(auditor.report().crossings == 0);
+        CHECK(auditor.report().worst_depth <= 0);
+    }
+}
+
+TEST_CASE("no ball enters the first table's solids at 1, 10, 100 and 1000 m/s, with the flippers still and beating") {
+    const ProgramPtr program = first_table();
+    for (const double speed : {1.0, 10.0, 100.0, 1000.0})
+        for (const bool beating : {false, true})
+            for (const bool elastic : {false, true}) {
+                INFO(speed << " m/s, beating " << beating << ", elastic " << elastic);
+                WorldOptions options;
+                if (elastic) options.restitution = 1;
+                check_clean(soak(program, 10, speed > 50 ? 0.02 : 0.2, speed, options, beating));
+            }
+}
+
+TEST_CASE("the auditor complains when the sweep is switched off") {
+    WorldOptions options;
+    options.sweep = false;
+    const SimulationSummary s = soak(generated(200), 20, 0.05, 30, options, false);
+    CHECK(s.audit->crossings > 0);
+    CHECK(s.audit->worst_depth > 1e-3);
+    CHECK(s.escaped > 0);
+}
+
+TEST_CASE("elastic ballistic flight among static solids keeps its energy to 1e-9 over 10 s") {
+    WorldOptions options;
+    options.restitution = 1;
+    options.integrator = Integrator::ballistic;
+    options.balls_collide = false;
+    const ProgramPtr program = generated(200);
+    for (const double speed : {1.0, 10.0}) {
+        World world(program, options);
+        scatter_balls(world, 10, speed, 3);
+        std::vector<double> first;
+        for (const Ball& ball : world.balls()) first.push_back(world.energy(ball));
+        for (int i = 0; i < 10000; ++i) world.step();
+        for (std::size_t i = 0; i < first.size(); ++i) CHECK(relative_error(world.energy(world.balls()[i]), first[i]) < 1e-9);
+        CHECK(world.stats().capped_ticks == 0);
+        CHECK(world.stats().impacts > 100);
+    }
+}
+
+TEST_CASE("the free path pays for most ball-steps and changes nothing") {
+    const BenchResult bench = bench_simulation(generated(200), 20, 1, 500);
+    CHECK(bench.free_share > 0.5);
+    CHECK(bench.energy_drift < 1e-9);
+}
+
+TEST_CASE("balls in a solid after an edit come out at bounded speed, without energy") {
+    const std::string before = room(1, 1, ", slope: 0", "", "  - circle: {id: c, radius: 0.05, at: [0.3, 0.3]}\n");
+    const std::string after = room(1, 1, ", slope: 0", "", "  - circle: {id: c, radius: 0.05, at: [0.62, 0.5]}\n");
+    World world(program_of(before));
+    world.add_ball({0.6, 0.5}, {0, 0});
+    world.set_program(program_of(after));
+    for (int i = 0; i < 200; ++i) {
+        const Vec2 from = world.balls()[0].position;
+        world.step();
+        CHECK(length(world.balls()[0].position - from) <= 2.1e-3);
+    }
+    CHECK(gap_at(world, world.balls()[0].position).distance >= r);
+    CHECK(length(world.balls()[0].velocity) < 1e-9);
+}
+
+TEST_CASE("a number that is no number takes its ball out of the game and says so") {
+    World world(program_of(room(1, 1, "", "", "")));
+    world.add_ball({0.5, 0.5}, {0, 0});
+    const BallId lost = world.add_ball({0.2, 0.2}, {0, 0});
+    world.set_ball(lost, {0.2, 0.2}, {std::nan(""), 0});
+    bool told = false;
+    for (int i = 0; i < 50; ++i) {
+        world.step();
+        for (const Event& event : world.events()) told = told || event.kind == EventKind::quarantine;
+    }
+    CHECK(told);
+    CHECK(world.find(lost)->state == BallState::quarantined);
+    CHECK(world.balls()[0].velocity.y() < 0);
+}
+
+TEST_CASE("a drained ball leaves the game and can be put back") {
+    World world(program_of(room(1, 1, "", "", "  - drain: {id: d, at: [0.5, 0.05], size: [0.2, 20mm]}\n  - spawn: {id: s, at: [0.5, 0.3]}\n")));
+    world.add_spawned_balls();
+    bool drained = false;
+    for (int i = 0; i < 3000 && !drained; ++i) {
+        world.step();
+        for (const Event& event : world.events()) drained = drained || event.kind == EventKind::drain;
+    }
+    REQUIRE(drained);
+    const Vec2 there = world.balls()[0].position;
+    for (int i = 0; i < 10; ++i) world.step();
+    CHECK(world.balls()[0].position == there);
+    world.put_back(world.balls()[0].id);
+    CHECK(world.balls()[0].position == Vec2(0.5, 0.3));
+    CHECK(world.balls()[0].state == BallState::rolling);
+}
+
+TEST_CASE("a snapshot plays on as the original does") {
+    World world(first_table());
+    world.add_spawned_balls();
+    scatter_balls(world, 5, 2, 1);
+    for (int i = 0; i < 100; ++i) world.step();
+    World copy = world;
+    for (int i = 0; i < 500; ++i) {
+        world.step();
+        copy.step();
+    }
+    CHECK(world.state_hash() == copy.state_hash());
+}
+
+// Proves determinism only, never correctness: the number may change with every improvement, but not with the compiler.
+TEST_CASE("a scripted game has the same hash from every compiler at every level of optimisation") {
+    const ProgramPtr program = program_of(
+        "pinfield: 1\ntable: {size: [0.5, 1], slope: 6.5}\ninputs: {left: [Z]}\nmaterials: {default: {restitution: 0.8, falloff: 0.3, tangential: 0.4, scatter: 3}}\n"
+        "scene:\n  - domain: {children: [box: {size: [0.5, 1], round: 40mm, at: [0.25, 0.5]}]}\n  - bumper: {at: [0.2, 0.7]}\n  - bumper: {at: [0.35, 0.6]}\n"
+        "  - flipper: {at: [0.2, 0.2], input: [left]}\n  - smooth_union: {k: 20mm, children: [circle: {radius: 20mm, at: [0.1, 0.4]}, circle: {radius: 15mm, at: [0.13, 0.43]}]}\n"
+        "  - ellipse: {radii: [40mm, 20mm], at: [0.4, 0.35]}\n");
+    World world(program);
+    for (int i = 0; i < 6; ++i) world.add_ball({0.1 + 0.05 * i, 0.85}, {0.3 * i - 0.7, 0.2});
+    for (int t = 0; t < 10000; ++t) {
+        if (t % 150 == 0) world.set_input(0, t / 150 % 2 ? 0 : 1);
+        world.step();
+    }
+    CHECK(hex16(world.state_hash()) == "0000000000000000");
+}
