@@ -1,0 +1,42 @@
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "engine/io/load_table.h"
+#include "engine/program/compile.h"
+#include "engine/scene/catalog.h"
+
+namespace pinfield::conformance {
+namespace {
+
+std::string folder() { return std::string(PINFIELD_SOURCE_DIR) + "/scenes/nodes/"; }
+
+}  // namespace
+
+TEST_CASE("every node has an example scene that uses it, reads without complaint and compiles") {
+    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
+    std::set<std::string> expected;
+    for (const NodeType& type : catalogue->types()) {
+        if (type.meta.kind == NodeKind::record) continue;
+        const std::string path = folder() + std::string(type.key()) + ".yaml";
+        expected.insert(std::string(type.key()) + ".yaml");
+        INFO(path);
+        const Result<LoadedTable> loaded = load_table(path, catalogue);
+        REQUIRE(loaded.has_value());
+        for (const Diagnostic& diagnostic : loaded->diagnostics) FAIL_CHECK(format(diagnostic, *loaded->source));
+        bool used = false;
+        for (const NodeId id : loaded->scene.all()) used = used || loaded->scene.find(id)->type == &type;
+        CHECK(used);
+        const auto program = compile(loaded->scene);
+        CHECK(program.has_value());
+    }
+    for (const auto& file : std::filesystem::directory_iterator(folder())) {
+        INFO(file.path());
+        CHECK(expected.count(file.path().filename().string()) == 1);
+    }
+}
+
+}  // namespace pinfield::conformance

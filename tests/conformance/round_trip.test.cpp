@@ -1,0 +1,60 @@
+#include <catch2/catch.hpp>
+
+#include <memory>
+
+#include "engine/io/table_reader.h"
+#include "engine/io/write_table.h"
+#include "engine/scene/catalog.h"
+#include "tests/conformance/parameters.h"
+
+namespace pinfield::conformance {
+namespace {
+
+void fill(Node& node, const Values& values) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        node.fields[i].value = values[i];
+        node.fields[i].given = true;
+    }
+}
+
+/// A scene with one node of this type, with as many discs as it needs.
+Scene scene_with(const std::shared_ptr<const Catalogue>& catalogue, const NodeType& type, const Values& values) {
+    Scene scene(catalogue);
+    Node& node = scene.add(type);
+    fill(node, values);
+    const NodeId parent = node.id;
+    for (int i = 0; i < type.meta.children.min; ++i) scene.add(*catalogue->find("circle"), parent);
+    return scene;
+}
+
+void check_round_trip(const std::shared_ptr<const Catalogue>& catalogue, const NodeType& type, const Values& values) {
+    const std::string written = write_table(scene_with(catalogue, type, values));
+    INFO(written);
+    const auto source = std::make_shared<const SourceText>("written.yaml", written);
+    const ReadResult read = read_table(source, catalogue);
+    for (const Diagnostic& diagnostic : read.diagnostics) FAIL_CHECK(format(diagnostic, *source));
+    REQUIRE(read.scene.roots().size() == 1);
+    const Node& node = *read.scene.find(read.scene.roots()[0]);
+    CHECK(node.type == &type);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        INFO(type.fields[i].key);
+        CHECK(identical(node.fields[i].value, values[i]));
+    }
+    CHECK(write_table(read.scene) == written);
+}
+
+}  // namespace
+
+TEST_CASE("every node with any parameters comes back from its text bit for bit") {
+    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
+    for (const NodeType& type : catalogue->types()) {
+        if (!type.kernels) continue;
+        CounterRng rng(5);
+        check_round_trip(catalogue, type, defaults_of(type));
+        if (type.own_fields == 0) continue;
+        for (int i = 0; i < 20; ++i) check_round_trip(catalogue, type, random_values(type, rng));
+        for (const Values& values : degenerate_values(type)) check_round_trip(catalogue, type, values);
+    }
+}
+
+}  // namespace pinfield::conformance
