@@ -227,6 +227,24 @@ bool settle_in_wedge(WorldState& w, std::size_t i) {
     return false;
 }
 
+/// A slow ball on two surfaces between which gravity holds it comes to rest: alternating impulses alone would leave it creeping.
+void rest_in_wedge(WorldState& w, std::size_t i) {
+    Ball& ball = w.balls[i];
+    const Vec2& g = w.physics.gravity;
+    if (length(ball.velocity) > w.physics.rest_speed) return;
+    for (std::size_t a = 0; a < w.contacts.size(); ++a)
+        for (std::size_t b = a + 1; b < w.contacts.size(); ++b) {
+            const Contact &first = w.contacts[a], &second = w.contacts[b];
+            if (!first.collapsed || !second.collapsed || first.mover >= 0 || second.mover >= 0) continue;
+            const double wedge = cross(first.normal, second.normal);
+            if (std::fabs(wedge) < 1e-9) continue;
+            const double on_first = -cross(g, second.normal) / wedge, on_second = -cross(first.normal, g) / wedge;
+            if (on_first < 0 || on_second < 0) continue;
+            ball.velocity = {0, 0};
+            return;
+        }
+}
+
 /// In contact, gravity is taken up by the surfaces the ball stays on: what is left of it lies in the cone they leave free.
 void constrain(WorldState& w, std::size_t i) {
     if (w.physics.integrator == Integrator::symplectic_euler) return;
@@ -266,6 +284,7 @@ void respond(WorldState& w, std::size_t i, const Contact& first) {
             if (resolve(w, i, c, false)) closing = true;
         if (closing && round >= 3 && settle_in_wedge(w, i)) break;
     }
+    rest_in_wedge(w, i);
     constrain(w, i);
     restore_gap(w, i);
     w.balls[i].free_path = 0;

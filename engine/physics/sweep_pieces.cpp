@@ -113,7 +113,7 @@ PieceHit sweep_round(const Motion& path, double round, double sign, double durat
     double t = 0;
     const auto accepted = [&] { return 2 * g.reach * band.accepted(); };
     if (gap < 0 && !touching) {  // beyond the circle, where it is open: first wait until the ball is clear again
-        t = g.falls(0, duration, -1, 0, false, evaluations, hit.capped);
+        t = g.falls(0, duration, -1, accepted(), false, evaluations, hit.capped);
         if (!(t <= duration) || hit.capped) { hit.time = hit.capped ? t : infinity; return hit; }
     }
     const int most_passes = path.is_straight() && sign > 0 ? 1 : 3;
@@ -126,8 +126,9 @@ PieceHit sweep_round(const Motion& path, double round, double sign, double durat
             hit.time = t;
             return hit;
         }
+        if (pass + 1 == most_passes) break;
         g = circle(band.target());
-        t = g.falls(t, duration, -1, 0, true, evaluations, hit.capped);
+        t = g.falls(t, duration, -1, accepted(), true, evaluations, hit.capped);
         if (hit.capped) hit.time = t;
         if (!(t <= duration) || hit.capped) return hit;
     }

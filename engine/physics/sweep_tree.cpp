@@ -138,6 +138,15 @@ TreeSweep sweep_tree(const Field& field, int solid, const Motion& motion, double
             out.leaf = here.leaf;
             return out;
         }
+        if (arrived && rest.top_speed(left) > 0) {  // at an edge of the tree the surface that closes may not be the one it names
+            const Nearest ahead = truth_at(std::min(duration, t + band.tolerance / rest.top_speed(left)));
+            if (ahead.distance < here.distance && dot(ahead.gradient, rest.velocity) < 0) {
+                out.time = t;
+                out.normal = ahead.gradient / length(ahead.gradient);
+                out.leaf = ahead.leaf;
+                return out;
+            }
+        }
         double step = clearance(field, root, rest, left, radius + level, evaluations).outside;
         const double speed = rest.top_speed(left);
         if (gap > level && speed > 0) step = std::max(step, (gap - level) / (lipschitz * speed));

