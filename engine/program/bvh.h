@@ -30,16 +30,14 @@ public:
     template <class Visit>
     void overlapping(const Box2& box, Visit&& visit) const;
 
+    /// Floats, rounded outwards with room to spare: half the memory, and rounding never prunes the nearest entry.
     struct TreeNode {
-        Box2 box;       ///< a hair larger than what it holds, so that rounding never prunes the nearest entry
+        float lo_x, lo_y, hi_x, hi_y;
         int first = 0;  ///< leaf: first entry in order_; inner: index of the left child, the right one follows it
         int count = 0;  ///< entries of a leaf; 0 for an inner node
     };
 
 private:
-    void split(std::span<const Box2> boxes, std::size_t node, int first, int count, int depth);
-    std::size_t partition(std::span<const Box2> boxes, int first, int count, int depth);
-
     std::vector<TreeNode> nodes_;
     std::vector<int> order_;
     std::vector<int> unbounded_;

@@ -9,10 +9,15 @@ namespace detail {
 /// The build never makes a tree deeper than this; a search keeps one pending node a level.
 inline constexpr int bvh_depth = 64;
 
-inline double squared_distance(const Box2& box, const Vec2& p) {
-    const double dx = std::max(std::max(box.lo.x() - p.x(), p.x() - box.hi.x()), 0.0);
-    const double dy = std::max(std::max(box.lo.y() - p.y(), p.y() - box.hi.y()), 0.0);
+inline double squared_distance(const Bvh::TreeNode& node, const Vec2& p) {
+    const double dx = std::max(std::max(static_cast<double>(node.lo_x) - p.x(), p.x() - static_cast<double>(node.hi_x)), 0.0);
+    const double dy = std::max(std::max(static_cast<double>(node.lo_y) - p.y(), p.y() - static_cast<double>(node.hi_y)), 0.0);
     return dx * dx + dy * dy;
+}
+
+inline bool overlap(const Bvh::TreeNode& node, const Box2& box) {
+    return static_cast<double>(node.lo_x) <= box.hi.x() && box.lo.x() <= static_cast<double>(node.hi_x) &&
+           static_cast<double>(node.lo_y) <= box.hi.y() && box.lo.y() <= static_cast<double>(node.hi_y);
 }
 
 }  // namespace detail
@@ -28,16 +33,18 @@ void Bvh::nearest_squared(const Vec2& p, double reach_squared, Visit&& visit) co
     };
     Pending pending[detail::bvh_depth];
     int depth = 0;
-    Pending here{detail::squared_distance(nodes_[0].box, p), 0};
+    Pending here{detail::squared_distance(nodes_[0], p), 0};
     while (true) {
         if (here.distance <= reach) {
             const TreeNode& node = nodes_[static_cast<std::size_t>(here.node)];
             if (node.count == 0) {
-                const Pending left{detail::squared_distance(nodes_[static_cast<std::size_t>(node.first)].box, p), node.first};
-                const Pending right{detail::squared_distance(nodes_[static_cast<std::size_t>(node.first) + 1].box, p),
-                                    node.first + 1};
+                const TreeNode* children = nodes_.data() + node.first;
+                const Pending left{detail::squared_distance(children[0], p), node.first};
+                const Pending right{detail::squared_distance(children[1], p), node.first + 1};
                 const bool right_first = right.distance < left.distance;
-                pending[depth++] = right_first ? left : right;
+                const Pending& farther = right_first ? left : right;
+                pending[depth] = farther;
+                depth += farther.distance <= reach ? 1 : 0;
                 here = right_first ? right : left;
                 continue;
             }
@@ -65,7 +72,7 @@ void Bvh::overlapping(const Box2& box, Visit&& visit) const {
     pending[depth++] = 0;
     while (depth > 0) {
         const TreeNode& node = nodes_[static_cast<std::size_t>(pending[--depth])];
-        if (!node.box.overlaps(box)) continue;
+        if (!detail::overlap(node, box)) continue;
         if (node.count == 0) {
             pending[depth++] = node.first + 1;
             pending[depth++] = node.first;
