@@ -62,15 +62,35 @@ void App::run() {
     while (!state_.quit) frame();
 }
 
+std::string App::run(ScriptRunner script) {
+    while (!script.done() && !state_.quit) frame(script.before_frame(state_, *this));
+    return script.failure();
+}
+
+void App::press_key(std::string_view key, bool down) {
+    const int code = key_code(key);
+    if (code >= 0) window_->on_key(code, down);
+}
+
 void App::frame() {
-    const bool fixed = options_.ticks_per_frame > 0;
+    if (options_.ticks_per_frame > 0) return frame(options_.ticks_per_frame);
     const double now = window_->seconds();
-    const double seconds = fixed ? scripted_frame : std::min(now - last_seconds_, longest_frame);
+    const double seconds = std::min(now - last_seconds_, longest_frame);
     last_seconds_ = now;
+    draw(due_ticks(seconds), seconds);
+    window_->present();
+}
+
+void App::frame(int ticks) {
+    draw(ticks, scripted_frame);
+    window_->present();
+}
+
+void App::draw(int ticks, double seconds) {
     disk_seconds_ += seconds;
-    if (disk_seconds_ >= disk_period) {
+    if (disk_seconds_ >= disk_period && !state_.document.previewing()) {
         disk_seconds_ = 0;
-        if (!state_.document.previewing()) look_at_disk(state_);
+        look_at_disk(state_);
     }
     for (const WindowEvent& event : window_->take_events()) bridge_.queue(event);
     for (const WindowEvent& event : bridge_.begin_frame(seconds)) {
@@ -82,11 +102,10 @@ void App::frame() {
     ui_.hovered = {};
     draw_panels(state_, ui_);
     // After the panels: what they changed is in the table they are painted over.
-    advance(state_, fixed ? options_.ticks_per_frame : due_ticks(seconds));
+    advance(state_, ticks);
     window_->set_title(window_title(state_.document));
     paint();
     bridge_.draw();
-    window_->present();
 }
 
 int App::due_ticks(double seconds) {
@@ -103,7 +122,7 @@ void App::take_key(int code, bool down) {
     if (key == "LeftShift" || key == "RightShift") shift_ = down;
     if (key == "LeftAlt" || key == "RightAlt") alt_ = down;
     if (!down) {
-        press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
+        editor::press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
         return;
     }
     const bool asks = state_.prompt || !state_.dialog_action.empty() || state_.show_help;
@@ -113,7 +132,7 @@ void App::take_key(int code, bool down) {
     const bool plain = !control_ && !alt_;
     if (typing && (plain || !control_)) return;
     // The table's own keys come first: a game is to be played with whatever keys its author chose.
-    if (plain && press_key(state_, key, true)) return;
+    if (plain && editor::press_key(state_, key, true)) return;
     std::string chord = control_ ? "Ctrl+" : "";
     if (alt_) chord += "Alt+";
     if (shift_) chord += "Shift+";
@@ -184,8 +203,10 @@ void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> 
 }
 
 Result<bool> App::screenshot(const std::string& path) {
+    draw(0, scripted_frame);
     int width = 0, height = 0;
-    const std::vector<unsigned char> pixels = window_->read_pixels(width, height);
+    const std::vector<unsigned char> pixels = window_->read_pixels(width, height);  // before the buffers are swapped
+    window_->present();
     return write_png(path, width, height, pixels);
 }
 

@@ -2,12 +2,14 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "editor/app_state.h"
 #include "editor/panels/ui.h"
 #include "editor/platform/window.h"
 #include "editor/render/outline_painter.h"
 #include "editor/render/table_painter.h"
+#include "editor/script.h"
 #include "editor/widgets/imgui_bridge.h"
 
 namespace pinfield::editor {
@@ -19,28 +21,37 @@ struct AppOptions {
     bool listen = true;        ///< to the user's own mouse and keyboard; scripts do not
 };
 
-class App {
+class App : public ScriptHost {
 public:
     /// Fails where no window can be opened.
     static Result<std::unique_ptr<App>> open(AppState state, const AppOptions& options);
 
-    /// Events, ticks, panels, picture: once.
+    /// One frame: events, as many ticks as are due, panels, picture.
     void frame();
+    /// One frame with so many ticks, whatever the clock says.
+    void frame(int ticks);
     /// Frames until the user quits.
     void run();
+    /// Frames until the script is done: why it failed, or nothing.
+    std::string run(ScriptRunner script);
 
     AppState& state() { return state_; }
-    Window& window() { return *window_; }
-    /// What the window shows, as a PNG.
-    Result<bool> screenshot(const std::string& path);
+
+    // What scripts do goes through the window's own entry points.
+    void move_mouse(const Vec2& pixel) override { window_->on_cursor(pixel.x(), pixel.y()); }
+    void press_mouse(bool down) override { window_->on_button(0, down); }
+    void press_key(std::string_view key, bool down) override;
+    /// Draws a frame without a tick and writes it as a PNG.
+    Result<bool> screenshot(const std::string& path) override;
+    int ticks_per_frame() const override { return options_.ticks_per_frame; }
 
 private:
     App(AppState state, std::unique_ptr<Window> window, const AppOptions& options);
 
-    void take_input();
     void take_key(int code, bool down);
     void cancel_drags();
     int due_ticks(double seconds);
+    void draw(int ticks, double seconds);  ///< all of a frame but showing it
     Canvas canvas() const;
     void paint();
     void paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> places, const Canvas& canvas);

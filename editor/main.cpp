@@ -3,8 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "editor/app.h"
+#include "editor/script.h"
+#include "engine/io/files.h"
+#include "engine/io/script_reader.h"
 #include "engine/scene/catalog.h"
 
 namespace {
@@ -41,6 +48,15 @@ Result<AppState> first_state(const std::string& file) {
     return AppState(catalogue, std::move(*document));
 }
 
+/// The script ready to run; nothing, with all its errors told, when it is no script.
+std::optional<ScriptRunner> read_steps(const std::string& path, const std::string& text) {
+    SourceText source(path, text);
+    Script script = read_script(source);
+    for (const Diagnostic& problem : script.diagnostics) std::fprintf(stderr, "%s\n", format(problem, source).c_str());
+    if (has_errors(script.diagnostics)) return std::nullopt;
+    return ScriptRunner(std::move(source), std::move(script));
+}
+
 int run_editor(const Arguments& arguments) {
     AppOptions options;
     if (!read_size(arguments.size, options.width, options.height)) return complain(usage, "--size wants WIDTHxHEIGHT, such as 1280x800");
@@ -50,22 +66,31 @@ int run_editor(const Arguments& arguments) {
     options.ticks_per_frame = arguments.ticks_per_frame > 0 ? arguments.ticks_per_frame : scripted ? 16 : 0;
     options.listen = !scripted;
 
+    std::optional<ScriptRunner> script;
+    if (!arguments.script.empty()) {
+        const Result<std::string> text = read_file(arguments.script);
+        if (!text) return complain(no_device, text.error().message);
+        script = read_steps(arguments.script, *text);
+        if (!script) return wrong;
+    }
     Result<AppState> state = first_state(arguments.file);
     if (!state) return complain(no_device, state.error().message);
     Result<std::unique_ptr<App>> app = App::open(std::move(*state), options);
     if (!app) return complain(no_device, app.error().message);
 
-    if (arguments.frames >= 0) {
+    std::string failure;
+    if (script) {
+        failure = (*app)->run(std::move(*script));
+    } else if (arguments.frames >= 0) {
         for (int i = 0; i < arguments.frames && !(*app)->state().quit; ++i) (*app)->frame();
     } else {
         (*app)->run();
     }
     if (!arguments.screenshot.empty()) {
-        (*app)->frame();
         const Result<bool> written = (*app)->screenshot(arguments.screenshot);
         if (!written) return complain(no_device, written.error().message);
     }
-    return fine;
+    return failure.empty() ? fine : complain(wrong, failure);
 }
 
 }  // namespace

@@ -139,7 +139,6 @@ void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     else if (old_size != state.view.size) state.view.pixels_per_metre *= std::min(size.y / old_size.y(), 1e3);
     ui.frame_wanted = false;
 
-    ImGui::SetItemAllowOverlap();
     ImGui::InvisibleButton("##table", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     ui.viewport_hovered = ImGui::IsItemHovered();

@@ -66,7 +66,7 @@ void TablePainter::refresh_table(const ProgramPtr& program, std::span<const Move
     const sdf::Isa isa = sdf::best_isa();
     rasterize(program->fixed, ~LayerMask{0}, isa, raster_);
     for (std::size_t i = 0; i < table_places_.size(); ++i)
-        rasterize_over(program->movers[i], table_places_[i], isa, raster_);
+        rasterize_over(program->movers[i], places[i].world_from_mover, isa, raster_);
     table_.upload(raster_.width, raster_.height, raster_.distance.data(), raster_.material.data());
 }
 
