@@ -1,0 +1,207 @@
+#include "editor/app_state.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/editor/support.h"
+
+using namespace pinfield;
+using namespace pinfield::editor;
+using namespace pinfield::editor::test;
+
+namespace {
+
+/// A state with an unsaved edit.
+AppState touched_state(const Folder& folder) {
+    AppState state = opened_state(folder);
+    REQUIRE(edit(state, change(state.document, "pop", "kick", 1.0), "Kick harder"));
+    return state;
+}
+
+}  // namespace
+
+TEST_CASE("a clean table is left without a question") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    SECTION("to quit") {
+        run(state, "app.quit");
+        CHECK(state.quit);
+    }
+    SECTION("for a new one") {
+        run(state, "file.new");
+        CHECK(state.document.path().empty());
+    }
+    SECTION("to open another") {
+        run(state, "file.open");
+        CHECK(state.dialog_action == "file.open");
+    }
+    CHECK_FALSE(state.prompt);
+}
+
+TEST_CASE("unsaved work is asked about before it would be lost") {
+    const Folder folder;
+    AppState state = touched_state(folder);
+    const std::string mine = state.document.source().text();
+    const std::string action = GENERATE("app.quit", "file.new", "file.open");
+    const auto gone_on = [&] {
+        return action == "app.quit" ? state.quit : action == "file.new" ? state.document.path().empty() : state.dialog_action == "file.open";
+    };
+    run(state, action);
+    REQUIRE(state.prompt);
+    CHECK_THAT(state.prompt->question, Catch::Contains("table.yaml"));
+    CHECK_FALSE(gone_on());
+    CHECK_FALSE(enabled(state, "edit.undo"));
+    SECTION("cancel stays") {
+        run(state, "prompt.cancel");
+        CHECK_FALSE(state.prompt);
+        CHECK_FALSE(gone_on());
+        CHECK(state.document.source().text() == mine);
+    }
+    SECTION("discard goes on and writes nothing") {
+        run(state, "prompt.discard");
+        CHECK(gone_on());
+        CHECK(folder.read("table.yaml") == pen);
+    }
+    SECTION("save writes and goes on") {
+        run(state, "prompt.save");
+        CHECK(gone_on());
+        CHECK(folder.read("table.yaml") == mine);
+    }
+    SECTION("a save that fails stays") {
+        folder.write("table.yaml", pen + "# theirs\n");
+        run(state, "prompt.save");
+        CHECK_FALSE(gone_on());
+        CHECK(state.message_is_problem);
+        CHECK(state.document.source().text() == mine);
+    }
+    CHECK_FALSE(state.prompt);
+}
+
+TEST_CASE("saving a table without a file asks for its path, and then goes on with what was asked") {
+    const Folder folder;
+    AppState state(catalogue(), Document::untitled(catalogue()));
+    REQUIRE(edit(state, change(state.document, "pop", "kick", 1.0), "Kick harder"));
+    run(state, "app.quit");
+    run(state, "prompt.save");
+    REQUIRE(state.dialog_action == "file.save_as");
+    SECTION("named") {
+        state.dialog_path = folder.file("new.yaml");
+        run(state, "dialog.accept");
+        CHECK(state.quit);
+        CHECK(folder.read("new.yaml") == state.document.source().text());
+    }
+    SECTION("cancelled") {
+        run(state, "dialog.cancel");
+        CHECK_FALSE(state.quit);
+        CHECK(state.document.dirty());
+    }
+    CHECK(state.dialog_action.empty());
+}
+
+TEST_CASE("opening a file replaces the table; one that is not there leaves it") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    folder.write("other.yaml", "pinfield: 1\nscene:\n  - circle: {id: dot, radius: 5mm, at: [0.1, 0.1]}\n");
+    open_file(state, folder.file("none.yaml"));
+    CHECK(state.message_is_problem);
+    CHECK(state.document.path() == folder.file("table.yaml"));
+    state.selection = id_of(state.document, "pop");
+    open_file(state, folder.file("other.yaml"));
+    CHECK(state.document.scene().find("dot"));
+    CHECK_FALSE(state.selection);
+    CHECK(state.session.program().fixed.solids.size() == 2);  // the dot and the table's edge
+}
+
+TEST_CASE("a refused edit becomes the message") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    CHECK_FALSE(edit(state, change(state.document, "pop", "radius", -1.0), "Shrink"));
+    CHECK_THAT(state.message, Catch::Contains("above 0"));
+    CHECK(state.message_is_problem);
+}
+
+TEST_CASE("the selection survives an outside change, and goes when its node goes") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    state.selection = id_of(state.document, "pop");
+    folder.write("table.yaml", pen + "# theirs\n");
+    look_at_disk(state);
+    advance(state, 1);
+    CHECK(state.selection == id_of(state.document, "pop"));
+    std::string without = pen;
+    const std::size_t begin = without.find("  - bumper");
+    without.erase(begin, without.find('\n', begin) + 1 - begin);
+    folder.write("table.yaml", without);
+    look_at_disk(state);
+    advance(state, 1);
+    CHECK_FALSE(state.selection);
+}
+
+TEST_CASE("a table broken outside keeps playing, and the message says so") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    folder.write("table.yaml", "pinfield: 1\nscene: [circle");
+    look_at_disk(state);
+    CHECK(state.disk == DiskState::broken);
+    CHECK(state.message_is_problem);
+    const std::int64_t before = state.session.world().tick();
+    advance(state, 10);
+    CHECK(state.session.world().tick() == before + 10);
+    CHECK(state.session.program().fixed.solids.size() > 2);
+}
+
+TEST_CASE("a click finds the smallest solid under it, locked nodes and the domain never") {
+    const Folder folder;
+    const AppState state = opened_state(folder);
+    const auto picked = [&](double x, double y, double slack = 0.0) { return state.document.scene().find(pick(state, {x, y}, slack)); };
+    const auto name = [&](const Node* node) { return node ? node->name : std::string(); };
+    CHECK(name(picked(0.25, 0.70)) == "pop");
+    CHECK(name(picked(0.30, 0.305)) == "shelf");
+    CHECK(name(picked(0.25 + 0.0245, 0.70)).empty());
+    CHECK(name(picked(0.25 + 0.0245, 0.70, 0.001)) == "pop");
+    CHECK(name(picked(0.001, 0.5)).empty());     // the domain's outside
+    CHECK(name(picked(0.06, 0.16)).empty());     // the nail is locked
+    CHECK(name(picked(0.25, 0.90)) == "start");  // a spawn by its place
+    CHECK(name(picked(0.29, 0.02)) == "drain");  // a drain by its region
+    // The bat at rest hangs 30 degrees below the horizontal.
+    CHECK(name(picked(0.30 + 0.05 * 0.866, 0.15 - 0.05 * 0.5)) == "bat");
+    CHECK(name(picked(0.35, 0.15)).empty());
+    // Inside the turned and doubled group: post is at (0.1, 0.1) + 2 (-0.02, 0.01).
+    CHECK(name(picked(0.06, 0.12)) == "post");
+}
+
+TEST_CASE("of overlapping solids the smaller is picked") {
+    const Folder folder;
+    const AppState state = opened_state(folder, "pinfield: 1\nscene:\n  - box: {id: big, at: [0.2, 0.2], size: [0.2, 0.2]}\n"
+                                                "  - circle: {id: small, at: [0.22, 0.2], radius: 5mm}\n");
+    CHECK(pick(state, {0.221, 0.2}, 0) == id_of(state.document, "small"));
+    CHECK(pick(state, {0.15, 0.2}, 0) == id_of(state.document, "big"));
+}
+
+TEST_CASE("the bounds of a node hold it, with what its group places it in") {
+    const Folder folder;
+    const AppState state = opened_state(folder);
+    const Box2 pop = bounds_of(state, id_of(state.document, "pop"));
+    CHECK(pop.lo.x() == Approx(0.226));
+    CHECK(pop.hi.y() == Approx(0.724));
+    const Box2 corner = bounds_of(state, id_of(state.document, "corner"));
+    CHECK(corner.contains({0.06, 0.12}));
+    CHECK(corner.contains({0.06, 0.16}));
+}
+
+TEST_CASE("framing fits the table into the viewport, and zooming keeps the point under the hand") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    state.view.origin = {200, 50};
+    state.view.size = {800, 600};
+    run(state, "view.all");
+    const Box2 window = state.view.window();
+    CHECK(window.contains({0, 0}));
+    CHECK(window.contains({0.5, 1.0}));
+    const Vec2 pixel(333, 222), world = state.view.world_from_pixel(pixel);
+    state.view.zoom_at(pixel, 3);
+    CHECK(length(state.view.pixel_from_world(world) - pixel) < 1e-6);
+    state.selection = id_of(state.document, "pop");
+    run(state, "view.frame");
+    CHECK(state.view.window().contains({0.25, 0.70}));
+    CHECK(state.view.window().size().y() < 0.2);
+}
