@@ -123,7 +123,7 @@ TreeSweep sweep_tree(const Field& field, int solid, const Motion& motion, double
     out.start_distance = start.distance / lipschitz;
     double gap = start.distance - radius, t = 0, level = band.target();
     if (gap / lipschitz > motion.travel(duration) + band.tolerance) return out;
-    const bool touching = gap <= band.touching();
+    bool touching = gap <= band.touching();
     const double rate = dot(start.gradient, motion.velocity);
     if (touching && rate > 0) level = std::min(level, gap - 0.125 * band.tolerance);
     else if (touching) level = band.floor_below(gap);
@@ -156,6 +156,10 @@ TreeSweep sweep_tree(const Field& field, int solid, const Motion& motion, double
         if (!(t < duration)) return out;
         here = truth_at(t);
         gap = here.distance - radius;
+        if (touching && gap > band.touching()) {  // it left: from here on it counts like any other ball
+            touching = false;
+            level = band.target();
+        }
     }
     out.clear_until = t;
     return out;
