@@ -94,7 +94,8 @@ void App::draw(int ticks, double seconds) {
     }
     for (const WindowEvent& event : window_->take_events()) bridge_.queue(event);
     for (const WindowEvent& event : bridge_.begin_frame(seconds)) {
-        if (event.kind == WindowEvent::Kind::key) take_key(event.code, event.down);
+        if (event.kind == WindowEvent::Kind::cursor) ui_.mouse = event.place;
+        else if (event.kind == WindowEvent::Kind::key) take_key(event.code, event.down);
         else if (event.kind == WindowEvent::Kind::close) editor::run(state_, "app.quit");
         else if (event.kind == WindowEvent::Kind::drop) open_file(state_, event.path);
         else if (event.kind == WindowEvent::Kind::focus && !event.down) state_.session.release_all();

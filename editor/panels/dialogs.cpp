@@ -119,7 +119,11 @@ void path_dialog(AppState& state, Ui& ui) {
         dialog.name.copy(buffer, sizeof buffer - 1);
         if (begins) ImGui::SetKeyboardFocusHere();
         ImGui::SetNextItemWidth(-1);
+        ImGui::PushStyleColor(ImGuiCol_FrameBg, palette::panel);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(10), theme.px(6)));
         accept = ImGui::InputTextWithHint("##name", "File name or path", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue) || accept;
+        ImGui::PopStyleVar();
+        ImGui::PopStyleColor();
         dialog.name = buffer;
         if (state.message_is_problem) text_in(theme.body, palette::amber, state.message);
         ImGui::Dummy({0, theme.px(4)});
@@ -164,7 +168,8 @@ namespace {
 void sheet_line(const Theme& theme, const std::string& what, const std::string& key, float column) {
     const float x = ImGui::GetCursorPosX();
     ImGui::TextUnformatted(what.c_str());
-    ImGui::SameLine(x + column);
+    ImGui::SameLine(0, 0);
+    ImGui::SetCursorPosX(x + column);
     text_in(theme.body, palette::accent, key);
 }
 

@@ -163,8 +163,7 @@ void boolean_control(const Row& row) {
 
 void choice_control(const Row& row) {
     const std::string& now = std::get<std::string>(row.value());
-    ImGui::SetNextItemWidth(row.width);
-    if (!ImGui::BeginCombo("##choice", now.c_str())) return;
+    if (!begin_combo(row.theme(), "##choice", now.c_str(), row.width)) return;
     for (const std::string_view word : row.field().choices) {
         const std::string text(word);
         if (ImGui::Selectable(text.c_str(), text == now) && text != now) row.set(text);
@@ -253,6 +252,14 @@ void control(const Row& row) {
     }
 }
 
+/// "deg/s^2" as people write it.
+std::string written(std::string_view symbol) {
+    std::string text(symbol);
+    if (const std::size_t at = text.find("deg"); at != std::string::npos) text.replace(at, 3, "\u00b0");
+    if (const std::size_t at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\u00b2");
+    return text;
+}
+
 std::string label_of(std::string_view key) {
     std::string label(key);
     std::replace(label.begin(), label.end(), '_', ' ');
@@ -270,7 +277,7 @@ Shown shown(double value, Unit unit) {
             return {hundredths(1000 * value), "mm"};
         case Unit::degree: return {hundredths(value), "\u00b0"};
         case Unit::none: return {to_text(value), ""};
-        default: return {to_text(value), std::string(symbol(unit))};
+        default: return {to_text(value), written(symbol(unit))};
     }
 }
 

@@ -102,7 +102,7 @@ private:
         }
         if (hot && parent && ImGui::IsMouseDoubleClicked(0) && ImGui::GetIO().MousePos.x > place.x + indent + arrow_width) *open = !*open;
         if (hot) ui_.hovered = node.id;
-        if (reveal_ && selected) ImGui::SetScrollHereY(0.5f);
+        if (reveal_ && selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
         paint(node, place, {width, height}, indent, arrow_width, selected, hot, parent, *open);
         ImGui::PopID();
         return *open;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
@@ -9,17 +10,21 @@ namespace pinfield::editor {
 
 namespace {
 
+/// What a node was compiled to in a field, or nothing. A solid whose boundary is known as pieces is exact whatever its tree is.
+std::optional<Exactness> exactness_in(const Field& field, NodeId node) {
+    for (const Solid& solid : field.solids)
+        if (solid.lowered && field.ops[static_cast<std::size_t>(solid.root)].origin == node) return Exactness{};
+    for (auto op = field.ops.rbegin(); op != field.ops.rend(); ++op)
+        if (op->origin == node) return op->exactness;
+    return std::nullopt;
+}
+
 /// Exactness of a node: of what it was compiled to, which knows its children and values, else of its type.
 Exactness exactness_of(const AppState& state, const Node& node) {
-    const auto in_field = [&](const Field& field) -> const Exactness* {
-        for (auto op = field.ops.rbegin(); op != field.ops.rend(); ++op)
-            if (op->origin == node.id) return &op->exactness;
-        return nullptr;
-    };
     const Program& program = state.session.program();
-    if (const Exactness* found = in_field(program.fixed)) return *found;
+    if (const auto found = exactness_in(program.fixed, node.id)) return *found;
     for (const Mover& mover : program.movers)
-        if (const Exactness* found = in_field(mover.field)) return *found;
+        if (const auto found = exactness_in(mover.field, node.id)) return *found;
     return node.type->meta.exactness;
 }
 

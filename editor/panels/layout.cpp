@@ -5,14 +5,6 @@
 
 namespace pinfield::editor {
 
-namespace {
-
-std::size_t problem_count(const AppState& state) {
-    return state.document.diagnostics().size() + state.session.problems().size();
-}
-
-}  // namespace
-
 Icon icon_of(const NodeType& type) {
     switch (type.meta.kind) {
         case NodeKind::shape: return Icon::shape;
@@ -35,10 +27,17 @@ Tint color_of(const NodeType& type) {
 
 std::string title_of(const Node& node) { return node.name.empty() ? std::string(node.type->key()) : node.name; }
 
+Problems problems_of(const AppState& state) {
+    Problems problems{state.document.diagnostics(), {}};
+    // The compiler would only repeat what the reader has said.
+    if (!has_errors(problems.in_file)) problems.in_program = state.session.problems();
+    return problems;
+}
+
 void draw_panels(AppState& state, Ui& ui) {
     const Theme& theme = ui.theme;
     // New problems open their panel once; closing it again is the user's.
-    const std::size_t problems = problem_count(state);
+    const std::size_t problems = problems_of(state).count();
     if (problems > ui.problems_seen) ui.problems_open = true;
     if (problems == 0) ui.problems_open = ui.problems_open && ui.problems_seen == 0;
     ui.problems_seen = problems;

@@ -60,10 +60,10 @@ void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     ImGui::BeginChild("##list", {0, 0}, false, ImGuiWindowFlags_NoNav);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     int index = 0;
-    // A click may change the document: the lists are copied first.
-    const Diagnostics in_file = state.document.diagnostics(), in_program = state.session.problems();
-    for (const Diagnostic& problem : in_file) problem_row(state, theme, problem, state.document.diagnosed(), index++);
-    for (const Diagnostic& problem : in_program) problem_row(state, theme, problem, state.document.source(), index++);
+    // A click may change the document: the lists are a copy.
+    const Problems problems = problems_of(state);
+    for (const Diagnostic& problem : problems.in_file) problem_row(state, theme, problem, state.document.diagnosed(), index++);
+    for (const Diagnostic& problem : problems.in_program) problem_row(state, theme, problem, state.document.source(), index++);
     if (index == 0) text_in(theme.body, palette::quiet, "The table reads without a problem.");
     ImGui::PopStyleVar();
     ImGui::EndChild();

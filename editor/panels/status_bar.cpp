@@ -42,7 +42,7 @@ void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const float y = position.y + 0.5f * (size.y - ImGui::GetFontSize());
     const float limit = probe(state, ui, list, position.x + size.x - theme.px(14), y);
 
-    const std::size_t problems = state.document.diagnostics().size() + state.session.problems().size();
+    const std::size_t problems = problems_of(state).count();
     const std::string count = problems == 0 ? "No problems" : problems == 1 ? "1 problem" : std::to_string(problems) + " problems";
     ImGui::SetCursorScreenPos({position.x + theme.px(10), position.y});
     const float width = ImGui::CalcTextSize(count.c_str()).x + theme.px(30);

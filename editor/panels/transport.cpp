@@ -28,8 +28,7 @@ void speed_menu(AppState& state, const Theme& theme) {
     const auto name = [](int divisor) { return divisor == 1 ? std::string("1\u00d7") : "1/" + std::to_string(divisor); };
     ImGui::SameLine(0, theme.px(12));
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5f * (theme.px(34) - ImGui::GetFrameHeight()));
-    ImGui::SetNextItemWidth(theme.px(76));
-    if (ImGui::BeginCombo("##speed", name(state.session.slow_motion()).c_str())) {
+    if (begin_combo(theme, "##speed", name(state.session.slow_motion()).c_str(), theme.px(72))) {
         for (int divisor = 1; divisor <= slowest; divisor *= 2)
             if (ImGui::Selectable(name(divisor).c_str(), divisor == state.session.slow_motion())) state.session.set_slow_motion(divisor);
         ImGui::EndCombo();
@@ -66,14 +65,15 @@ void transport_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const float top = position.y + theme.px(6), gap = theme.px(26);
     const std::string time = to_text(world.time(), 2) + " s";
     float right = position.x + size.x - theme.px(16);
-    const auto show = [&](const char* label, const std::string& number, const Tint& color, float room) {
-        if (right - room < least) return;
-        right = counter(list, theme, label, number, right, top, color) - gap;
+    // Where it gets narrow the clock goes first, the score last.
+    const float room = (right - least) / theme.scale;
+    const auto show = [&](const char* label, const std::string& number, const Tint& color, float needed) {
+        if (room >= needed) right = counter(list, theme, label, number, right, top, color) - gap;
     };
-    show("Tick", std::to_string(world.tick()), palette::quiet, theme.px(70));
-    show("Time", time, palette::quiet, theme.px(70));
-    show("Drained", std::to_string(state.session.drained()), palette::text, theme.px(60));
-    show("Bumper hits", std::to_string(state.session.hits()), palette::accent, theme.px(76));
+    show("Tick", std::to_string(world.tick()), palette::quiet, 370);
+    show("Time", time, palette::quiet, 270);
+    show("Drained", std::to_string(state.session.drained()), palette::text, 150);
+    show("Bumper hits", std::to_string(state.session.hits()), palette::accent, 70);
     ImGui::End();
 }
 

@@ -43,6 +43,7 @@ struct Ui {
     Vec2 pressed_at{0, 0};  ///< world
     bool panning = false;
     bool viewport_hovered = false;
+    Vec2 mouse{0, 0};       ///< window pixels, with the fractions that Dear ImGui drops
     Vec2 mouse_world{0, 0};
 
     Scrub scrub;
@@ -51,7 +52,7 @@ struct Ui {
     bool frame_wanted = true;  ///< show the whole table in the next frame
 };
 
-/// Shows why an edit did not happen, or clears what was shown.
+/// Shows why an edit did not happen.
 inline void tell(AppState& state, const std::optional<std::string>& problem) {
     if (!problem) return;
     state.message = *problem;
@@ -63,6 +64,13 @@ Icon icon_of(const NodeType& type);
 Tint color_of(const NodeType& type);
 /// The author's id, else the type's word.
 std::string title_of(const Node& node);
+
+/// What is wrong: in the file and, when that reads without an error, in making it run.
+struct Problems {
+    Diagnostics in_file, in_program;
+    std::size_t count() const { return in_file.size() + in_program.size(); }
+};
+Problems problems_of(const AppState& state);
 
 // Each draws its part of the window at a place, in screen pixels.
 float menu_bar(AppState& state, Ui& ui);  ///< returns its height

@@ -44,7 +44,7 @@ void drag_node(AppState& state, Ui& ui) {
 void pan_and_zoom(AppState& state, Ui& ui) {
     ImGuiIO& io = ImGui::GetIO();
     View& view = state.view;
-    if (ui.viewport_hovered && io.MouseWheel != 0) view.zoom_at(vec(io.MousePos), std::pow(1.18, static_cast<double>(io.MouseWheel)));
+    if (ui.viewport_hovered && io.MouseWheel != 0) view.zoom_at(ui.mouse, std::pow(1.18, static_cast<double>(io.MouseWheel)));
     const bool wants = io.MouseDown[2] || io.MouseDown[1] || (io.MouseDown[0] && io.KeyAlt);
     if (ImGui::IsItemActive() && wants && !ui.drag.active()) ui.panning = true;
     if (!wants) ui.panning = false;
@@ -117,14 +117,14 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
 /// Style and framing, over the top right corner of the picture.
 void view_controls(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const Theme& theme = ui.theme;
-    const float width = theme.px(176), margin = theme.px(10);
-    if (size.x < width + 2 * margin) return;
-    ImGui::SetCursorScreenPos({position.x + size.x - width - margin, position.y + margin});
+    const float words = ImGui::CalcTextSize("ShadedIsolines").x + 4 * theme.px(10) + theme.px(2), margin = theme.px(10);
+    const float icon = ImGui::GetFontSize() + 2 * theme.px(4);
+    if (size.x < words + icon + 3 * margin) return;
+    ImGui::SetCursorScreenPos({position.x + size.x - words - icon - margin - theme.px(6), position.y + margin});
     const int style = segmented(theme, "style", {"Shaded", "Isolines"}, state.view.style == ViewStyle::shaded ? 0 : 1);
     if (style >= 0) run(state, style == 0 ? "view.shaded" : "view.isolines");
-    const float height = ImGui::GetItemRectSize().y;
-    ImGui::SetCursorScreenPos({position.x + size.x - margin - height, position.y + margin});
-    if (icon_button(theme, {.icon = Icon::frame, .id = "frame", .tooltip = "Frame the table (Home)"}, height)) run(state, "view.all");
+    ImGui::SetCursorScreenPos({position.x + size.x - margin - icon, position.y + margin});
+    if (icon_button(theme, {.icon = Icon::frame, .id = "frame", .tooltip = "Frame the table (Home)"}, icon)) run(state, "view.all");
 }
 
 }  // namespace
@@ -142,7 +142,7 @@ void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     ImGui::InvisibleButton("##table", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     ui.viewport_hovered = ImGui::IsItemHovered();
-    ui.mouse_world = state.view.world_from_pixel(vec(ImGui::GetIO().MousePos));
+    ui.mouse_world = state.view.world_from_pixel(ui.mouse);
     pan_and_zoom(state, ui);
     if (!ui.panning) drag_node(state, ui);
     if (ui.viewport_hovered && !ui.panning) ui.hovered = pick(state, ui.mouse_world, pick_slack_pixels / state.view.pixels_per_metre);

@@ -48,7 +48,7 @@ float distance_at(vec2 p) { return texture(distances, p).r; }
 vec4 lines(float d) {
     float ppm = pixels_per_metre;
     vec3 free_near = vec3(0.13, 0.25, 0.36), free_far = vec3(0.055, 0.085, 0.13);
-    vec3 solid_near = vec3(0.56, 0.34, 0.12), solid_far = vec3(0.20, 0.125, 0.07);
+    vec3 solid_near = vec3(0.47, 0.31, 0.14), solid_far = vec3(0.17, 0.12, 0.08);
     float fade = 1.0 - exp(-abs(d) / 0.045);
     vec3 c = d > 0.0 ? mix(free_near, free_far, fade) : mix(solid_near, solid_far, fade);
     float s = d / spacing;
@@ -96,11 +96,15 @@ void main() {
         color = vec4(c * cover, alpha);      // premultiplied
         return;
     }
-    if (isolines == 1) { color = lines(d); return; }
-
     vec2 world = world_corner + vec2(pixel.x, 0.0) / pixels_per_metre;
     world.y = world_corner.y - pixel.y / pixels_per_metre;
     vec2 middle = 0.5 * table;
+    if (isolines == 1) {
+        // Beyond the table the field goes on for ever, but it is not what one looks at.
+        float beyond = smoothstep(0.0, 0.05, rounded_box(world - middle, middle, 0.006));
+        color = vec4(mix(lines(d).rgb, backdrop.rgb, 0.88 * beyond), 1.0);
+        return;
+    }
     float height = clamp(world.y / max(table.y, 1e-6), 0.0, 1.0);
     vec3 floor_color = mix(floor_low.rgb, floor_high.rgb, height);
     float across = (world.x - middle.x) / max(middle.x, 1e-6);

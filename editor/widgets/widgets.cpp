@@ -152,15 +152,29 @@ int segmented(const Theme& theme, const char* id, std::initializer_list<const ch
     return clicked;
 }
 
+bool begin_combo(const Theme& theme, const char* id, const char* preview, float width) {
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(6), theme.px(6)));
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const bool open = ImGui::BeginCombo(id, preview, ImGuiComboFlags_NoArrowButton);
+    ImGui::PopStyleVar();
+    const float s = theme.px(3.5f), y = place.y + 0.5f * ImGui::GetFrameHeight();
+    const ImVec2 c{place.x + width - theme.px(13), y};
+    const ImU32 color = ink(palette::quiet);
+    const float thick = std::max(1.0f, 1.4f * theme.scale);
+    list.AddLine({c.x - s, c.y - 0.5f * s}, {c.x, c.y + 0.5f * s}, color, thick);
+    list.AddLine({c.x, c.y + 0.5f * s}, {c.x + s, c.y - 0.5f * s}, color, thick);
+    return open;
+}
+
 bool dialog_button(const Theme& theme, const char* label, bool primary) {
-    if (primary) {
-        ImGui::PushStyleColor(ImGuiCol_Button, palette::hex(0x2a6fa5));
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, palette::hex(0x3380bc));
-        ImGui::PushStyleColor(ImGuiCol_ButtonActive, palette::hex(0x3b8fd0));
-    }
+    ImGui::PushStyleColor(ImGuiCol_Button, primary ? palette::hex(0x2a6fa5) : palette::field_hot);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, primary ? palette::hex(0x3380bc) : palette::field_active);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, primary ? palette::hex(0x3b8fd0) : palette::hex(0x454e5d));
     const float width = std::max(theme.px(92), ImGui::CalcTextSize(label).x + theme.px(28));
     const bool clicked = ImGui::Button(label, {width, theme.px(30)});
-    if (primary) ImGui::PopStyleColor(3);
+    ImGui::PopStyleColor(3);
     return clicked;
 }
 

@@ -46,6 +46,9 @@ float steady_number(ImDrawList& list, ImFont* font, ImVec2 place, const Tint& co
 /// One of several words, side by side. Returns the index chosen now, or -1.
 int segmented(const Theme& theme, const char* id, std::initializer_list<const char*> words, int chosen);
 
+/// Like ImGui::BeginCombo(), with a chevron in the theme's manner; end with ImGui::EndCombo() when true.
+bool begin_combo(const Theme& theme, const char* id, const char* preview, float width);
+
 /// A blue or a plain button of a dialog.
 bool dialog_button(const Theme& theme, const char* label, bool primary);
 
