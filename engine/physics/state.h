@@ -35,6 +35,7 @@ struct BallWork {
     std::int64_t slide_tick = -2;
     std::int64_t last_moved = 0; ///< tick in which its bits last changed
     bool embedded = false;       ///< an edit put it into a solid: it is being let out
+    bool waiting = false;        ///< to be put back as soon as no mover stands where it starts
 
     // Its earliest event, for balls whose ticks are run together.
     NextKind next = NextKind::none;
@@ -124,6 +125,8 @@ double room_without_mechanisms(const WorldState& w, const Vec2& centre);
 bool advance_alone(WorldState& w, std::size_t i, double limit);
 /// Runs the tick for the balls in w.together and all movers, events in order of time.
 void advance_together(WorldState& w);
+/// Puts a waiting ball back where it starts, unless a mover stands there.
+void try_put_back(WorldState& w, std::size_t i);
 /// One tick of a ball that sits in a solid after an edit: out along the gradient at bounded speed.
 void let_out(WorldState& w, std::size_t i);
 

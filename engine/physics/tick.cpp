@@ -227,6 +227,8 @@ void run_tick(WorldState& w) {
     w.mover_paths.clear();
     apply_inputs(w);
     drive_movers(w);
+    for (std::size_t i = 0; i < w.balls.size(); ++i)
+        if (w.work[i].waiting) try_put_back(w, i);
     w.balls_before = w.balls;
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (!w.in_play(i)) continue;

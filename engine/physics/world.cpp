@@ -53,6 +53,16 @@ void check_embedded(WorldState& w, std::size_t i) {
     w.work[i].embedded = gap.distance < r;
 }
 
+void place_ball(WorldState& w, std::size_t i, const Vec2& position, const Vec2& velocity) {
+    Ball& ball = w.balls[i];
+    ball.position = position;
+    ball.velocity = velocity;
+    ball.spin = ball.free_path = 0;
+    ball.state = BallState::rolling;
+    w.work[i] = {};
+    check_embedded(w, i);
+}
+
 std::size_t index_of(const WorldState& w, BallId id) {
     const auto found = std::find_if(w.balls.begin(), w.balls.end(), [&](const Ball& b) { return b.id == id; });
     return static_cast<std::size_t>(found - w.balls.begin());
@@ -71,6 +81,13 @@ void keep_motion(MoverState& now, const MoverState& before) {
 
 PreparedProgram::PreparedProgram(ProgramPtr from)
     : program(std::move(from)), fixed(program->fixed), movers(swept_movers(*program)) {}
+
+void try_put_back(WorldState& w, std::size_t i) {
+    const Ball& ball = w.balls[i];
+    const Gap gap = gap_at(w.program(), places(w), ball.start_position, ball.layer, 2 * w.physics.ball_radius);
+    w.work[i].waiting = gap.mover >= 0 && gap.distance < w.physics.ball_radius + w.band.target();
+    if (!w.work[i].waiting) place_ball(w, i, ball.start_position, ball.start_velocity);
+}
 
 std::string_view name(EventKind kind) {
     constexpr std::string_view names[] = {"hit",     "kick",        "ball_hit", "drain",      "press",
@@ -126,19 +143,13 @@ void World::remove_balls() {
 
 void World::put_back(BallId id) {
     const std::size_t i = index_of(*state_, id);
-    if (i < state_->balls.size()) set_ball(id, state_->balls[i].start_position, state_->balls[i].start_velocity);
+    if (i < state_->balls.size()) try_put_back(*state_, i);
 }
 
 void World::set_ball(BallId id, const Vec2& position, const Vec2& velocity) {
     const std::size_t i = index_of(*state_, id);
     if (i >= state_->balls.size()) return;
-    Ball& ball = state_->balls[i];
-    ball.position = position;
-    ball.velocity = velocity;
-    ball.spin = ball.free_path = 0;
-    ball.state = BallState::rolling;
-    state_->work[i] = {};
-    check_embedded(*state_, i);
+    place_ball(*state_, i, position, velocity);
 }
 
 void World::set_program(ProgramPtr program) {

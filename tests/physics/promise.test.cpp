@@ -185,3 +185,19 @@ TEST_CASE("a scripted game has the same hash from every compiler at every level 
     }
     CHECK(hex16(world.state_hash()) == "2d6fd55d3993ba31");
 }
+
+TEST_CASE("a ball is put back only when no mover stands where it starts") {
+    World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\ninputs: {left: [Z]}\nscene:\n  - flipper: {at: [0.5, 0.5], rest: -40, swing: 80, input: [left]}\n"
+                           "  - drain: {at: [0.9, 0.5], size: [0.05, 0.05]}\n"));
+    const BallId ball = world.add_ball({0.55, 0.545}, {0, 0});  // where the raised bat stands
+    world.set_ball(ball, {0.85, 0.5}, {1, 0});
+    world.set_input(0, 1);
+    for (int i = 0; i < 100; ++i) world.step();
+    REQUIRE(world.find(ball)->state == BallState::drained);
+    world.put_back(ball);
+    CHECK(world.find(ball)->state == BallState::drained);
+    world.set_input(0, 0);
+    for (int i = 0; i < 200; ++i) world.step();
+    CHECK(world.find(ball)->state != BallState::drained);
+    CHECK(world.find(ball)->position == Vec2(0.55, 0.545));
+}
