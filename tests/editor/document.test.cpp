@@ -71,6 +71,28 @@ TEST_CASE("nodes keep their ids when they are renamed, and back again") {
     CHECK(id_of(document, "nook") == corner);
 }
 
+TEST_CASE("nodes keep their ids through undo and redo when an outside change has taken a node away before them") {
+    const Folder folder;
+    Document document = opened(folder);
+    const NodeId shelf = id_of(document, "shelf"), pop = id_of(document, "pop");
+    std::string without = pen;
+    const std::size_t begin = without.find("  - bumper");
+    without.erase(begin, without.find('\n', begin) + 1 - begin);
+    folder.write("table.yaml", without);
+    REQUIRE(document.check_disk() == DiskState::reloaded);
+    REQUIRE_FALSE(document.edit(change(document, "shelf", "at", Vec2(0.3, 0.3)), "Move shelf"));
+    CHECK(id_of(document, "shelf") == shelf);
+    document.undo();
+    CHECK(id_of(document, "shelf") == shelf);
+    document.redo();
+    CHECK(id_of(document, "shelf") == shelf);
+    document.undo();
+    document.undo();  // the outside change too
+    CHECK(document.source().text() == pen);
+    CHECK(id_of(document, "pop") == pop);
+    CHECK(id_of(document, "shelf") == shelf);
+}
+
 TEST_CASE("a preview that is taken back or ends where it began leaves no trace") {
     const Folder folder;
     Document document = opened(folder);

@@ -118,6 +118,14 @@ TEST_CASE("bumper hits are counted, in all and by bumper, and reset sets them to
     CHECK(state.session.world().balls()[0].position == Vec2(0.25, 0.7));
 }
 
+TEST_CASE("what is no bumper is hit without being counted") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    advance(state, 4000);  // the ball falls on the bumper, then on the walls of the domain
+    CHECK(state.session.hits() >= 1);
+    CHECK(state.session.hits() == state.session.hits_of(id_of(state.document, "pop")));
+}
+
 TEST_CASE("the table plays at the speed asked for: whole ticks, none lost in slow motion") {
     const Folder folder;
     AppState state = opened_state(folder);
