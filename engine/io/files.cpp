@@ -62,12 +62,13 @@ void sync_folder(const fs::path& folder) {
     if (descriptor) ::fsync(descriptor.number());
 }
 
-Result<bool> write_synced(const fs::path& path, const std::string& content, mode_t mode) {
-    Descriptor out(::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL, mode));
-    if (!out) return refused("write", path.string());
+/// Messages speak of the file that the user knows.
+Result<bool> write_synced(const fs::path& temporary, const std::string& content, mode_t mode, const std::string& path) {
+    Descriptor out(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL, mode));
+    if (!out) return refused("write", path);
     if (!write_all(out.number(), content) || ::fsync(out.number()) != 0 || !out.close()) {
-        const auto failed = refused("write", path.string());
-        ::unlink(path.c_str());
+        const auto failed = refused("write", path);
+        ::unlink(temporary.c_str());
         return failed;
     }
     return true;
@@ -110,7 +111,7 @@ Result<bool> write_file(const std::string& path, const std::string& content) {
     const mode_t mode = exists ? status.st_mode & 07777 : 0666;
     const fs::path temporary = target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
     ::unlink(temporary.c_str());  // left by a process of this number that was killed
-    if (const auto written = write_synced(temporary, content, mode); !written) return written;
+    if (const auto written = write_synced(temporary, content, mode, path); !written) return written;
     if (exists) ::chmod(temporary.c_str(), mode);  // the umask may have taken bits away
     if (::rename(temporary.c_str(), target.c_str()) != 0) {
         const auto failed = refused("replace", path);

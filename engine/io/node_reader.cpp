@@ -95,6 +95,20 @@ void report_no_node(ReadContext& context, const YamlNode& item) {
                    forgotten_dash ? "begin the next node with a dash" : type ? fmt::format("{} belongs inside {}", second.text, type->key()) : "");
 }
 
+/// The node that comes when `left` nodes have been counted, or null. Counted before the first is made: they are large.
+const YamlNode* first_node_beyond(const YamlNode& list, std::size_t& left) {
+    if (list.kind != YamlKind::sequence) return nullptr;
+    for (const YamlNode* item : list.items) {
+        if (left == 0) return item;
+        --left;
+        const YamlNode& node = item->resolved();
+        if (node.kind != YamlKind::map || node.entries() == 0) continue;
+        const YamlNode* children = node.value(0).resolved().find(children_key);
+        if (const YamlNode* beyond = children ? first_node_beyond(*children, left) : nullptr) return beyond;
+    }
+    return nullptr;
+}
+
 void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& item) {
     if (item.kind != YamlKind::map || item.entries() != 1) return report_no_node(context, item);
     const YamlNode& key = item.key(0);
@@ -140,11 +154,10 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
 void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& list) {
     if (list.is_empty()) return;
     if (list.kind != YamlKind::sequence) return context.report(Code::wrong_shape, list.span, "a list of nodes is due here", "begin each node with a dash");
-    for (const YamlNode* item : list.items) {
-        if (++context.nodes == context.limits.nodes + 1) context.report(Code::too_many_nodes, item->span, fmt::format("more than {} nodes", context.limits.nodes));
-        if (context.nodes > context.limits.nodes) return;
-        read_node(context, scene, parent, item->resolved());
-    }
+    std::size_t left = context.limits.nodes;
+    if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
+        return context.report(Code::too_many_nodes, beyond->span, fmt::format("more than {} nodes", context.limits.nodes));
+    for (const YamlNode* item : list.items) read_node(context, scene, parent, item->resolved());
 }
 
 }  // namespace pinfield

@@ -16,7 +16,6 @@ struct ReadContext {
     const Catalogue& catalogue;
     const Limits& limits;
     Diagnostics& diagnostics;
-    std::size_t nodes = 0;  ///< scene nodes read so far
 
     void report(Code code, Span where, std::string message, std::string hint = {}) {
         if (diagnostics.size() < limits.errors) diagnostics.push_back(diagnose(code, where, std::move(message), std::move(hint)));

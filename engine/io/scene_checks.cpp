@@ -61,7 +61,7 @@ void check_domains(ReadContext& context, const Scene& scene) {
         if (layers.empty()) layers.emplace_back();
         for (const std::string& layer : layers) {
             const auto [first, is_new] = domain_of.emplace(layer, node.key);
-            if (!is_new)
+            if (!is_new && first->second != node.key)  // a layer named twice is still one
                 context.report(Code::second_domain, node.key, fmt::format("a second {} on {}", node.type->key(), layer.empty() ? "the ground layer" : "layer " + layer),
                                fmt::format("the first is in line {}; one holds several shapes as children", context.source.place(first->second.begin).line));
         }

@@ -58,6 +58,7 @@ std::optional<Diagnostic> check_characters(std::string_view text) {
 }
 
 void check_tabs(std::string_view text, Diagnostics& out) {
+    if (text.find('\t') == std::string_view::npos) return;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = line_end(text, begin), content = std::min(skip_spaces(text, begin), end);
         const std::size_t tab = text.substr(begin, content - begin).find('\t');

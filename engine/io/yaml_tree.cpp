@@ -21,21 +21,58 @@ namespace {
 /// Ends the parse after a finding that makes the rest meaningless; never leaves this file.
 struct Stop {};
 
-/// The text as a stream, without a copy.
+/// The text as a stream, without a copy, handed out in pieces. The parser swallows a scalar whole before anybody can judge its
+/// length, so the text ends early when far more than a scalar may have was asked for without an event.
 class Bytes : public std::streambuf {
 public:
-    explicit Bytes(std::string_view text) {
-        char* begin = const_cast<char*>(text.data());  // a get area is never written to
-        setg(begin, begin, begin + text.size());
+    Bytes(std::string_view text, std::size_t most_without_event) : text_(text), most_(most_without_event) {}
+
+    void event() { given_at_event_ = given_; }
+    bool cut_short() const { return cut_short_; }
+
+protected:
+    int_type underflow() override {
+        cut_short_ = cut_short_ || given_ - given_at_event_ > most_;
+        if (cut_short_ || given_ == text_.size()) return traits_type::eof();
+        const std::size_t count = std::min<std::size_t>(4096, text_.size() - given_);
+        char* begin = const_cast<char*>(text_.data()) + given_;  // a get area is never written to
+        given_ += count;
+        setg(begin, begin, begin + count);
+        return traits_type::to_int_type(*begin);
     }
+
+private:
+    std::string_view text_;
+    std::size_t most_, given_ = 0, given_at_event_ = 0;
+    bool cut_short_ = false;
 };
 
 class Builder : public YAML::EventHandler {
 public:
     Builder(const SourceText& source, const Limits& limits, YamlTree& tree)
-        : text_(source.text()), limits_(limits), tree_(tree), mark_offset_(byte_order_mark(text_)) {}
+        : text_(source.text()), limits_(limits), tree_(tree), mark_offset_(byte_order_mark(text_)),
+          bytes_(text_.substr(mark_offset_), 16 * limits.scalar_bytes) {}
+
+    /// Parses the whole text; the tree has no root when it could not be read to its end.
+    void parse() {
+        std::istream in(&bytes_);
+        const std::size_t findings = tree_.diagnostics.size();
+        try {
+            YAML::Parser parser(in);
+            while (parser.HandleNextDocument(*this)) {}
+            if (!bytes_.cut_short()) return;
+        } catch (const Stop&) {
+        } catch (const YAML::Exception& e) {
+            explain(e);
+        }
+        tree_.root = nullptr;
+        if (!bytes_.cut_short()) return;
+        tree_.diagnostics.resize(findings);  // whatever the parser made of a text that ends in its middle
+        report(Code::scalar_too_long, place_so_far(), fmt::format("no value for more than {} bytes from here on", 16 * limits_.scalar_bytes));
+    }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
+        bytes_.event();
         if (tree_.root)
             stop(Code::several_documents, at(mark), "a second YAML document begins here", "a table is one document: remove the ---");
     }
@@ -111,6 +148,7 @@ public:
         close('}');
     }
 
+private:
     /// What a parser's exception means for the author.
     void explain(const YAML::Exception& e) {
         const std::size_t place = e.mark.is_null() ? text_.size() : std::min(at(e.mark), text_.size());
@@ -127,7 +165,6 @@ public:
         report(Code::yaml_syntax, place, std::string(what), hint_for(what));
     }
 
-private:
     struct Open {
         YamlNode* node;
         int column;  // of a block collection's first key or dash: what belongs to it is indented deeper
@@ -172,6 +209,7 @@ private:
     }
 
     YamlNode& add(YamlKind kind, YAML::anchor_t anchor) {
+        bytes_.event();
         if (++expanded_ > limits_.events || tree_.nodes.size() >= limits_.events)
             stop(Code::too_many_events, place_so_far(), fmt::format("more than {} YAML events", limits_.events));
         YamlNode& node = tree_.nodes.emplace_back();
@@ -255,6 +293,7 @@ private:
     const Limits& limits_;
     YamlTree& tree_;
     std::size_t mark_offset_;
+    Bytes bytes_;
     std::vector<Open> open_;
     std::vector<std::set<std::string_view>> keys_;  // of each open map
     std::map<YAML::anchor_t, YamlNode*> anchors_;
@@ -279,19 +318,9 @@ YamlTree read_yaml(const SourceText& source, const Limits& limits) {
     YamlTree tree;
     tree.diagnostics = check_text(source, limits);
     if (has_errors(tree.diagnostics)) return tree;
-    Builder builder(source, limits, tree);
-    Bytes bytes(std::string_view(source.text()).substr(byte_order_mark(source.text())));
-    std::istream in(&bytes);
-    try {
-        YAML::Parser parser(in);
-        while (parser.HandleNextDocument(builder)) {}
-        if (!tree.root) tree.diagnostics.push_back(diagnose(Code::empty_file, {0, 0}, "the file holds no table", "begin with: pinfield: 1"));
-        return tree;
-    } catch (const Stop&) {
-    } catch (const YAML::Exception& e) {
-        builder.explain(e);
-    }
-    tree.root = nullptr;
+    Builder(source, limits, tree).parse();
+    if (!tree.root && tree.diagnostics.empty())
+        tree.diagnostics.push_back(diagnose(Code::empty_file, {0, 0}, "the file holds no table", "begin with: pinfield: 1"));
     return tree;
 }
 

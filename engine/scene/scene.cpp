@@ -65,6 +65,7 @@ Node& Scene::insert(const NodeType& type, NodeId parent) {
     node.id = NodeId{next_id_++};
     node.type = &type;
     node.parent = parent;
+    node.fields.reserve(type.fields.size());
     for (const FieldType& field : type.fields) node.fields.push_back({field.initial, false, {}});
     return nodes_[node.id] = std::move(node);
 }

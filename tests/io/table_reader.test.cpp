@@ -76,20 +76,20 @@ TEST_CASE("plain anchors and aliases work, and an error in what they share is to
     REQUIRE(good.ok());
     CHECK(good.scene.find("circle[1]")->get<double>("radius") == 0.03);
     CHECK(good.scene.find("bumper[0]")->get<double>("radius") == 0.03);
-    CHECK(codes_and_places(read("pinfield: 1\nscene:\n  - circle: &c {radius: -3cm}\n")) == std::vector<std::string>{"E0208 3:24"});
+    CHECK(codes_and_places(read("pinfield: 1\nscene:\n  - circle: &c {radius: -3cm}\n")) == std::vector<std::string>{"E0208 3:25"});
 }
 
 TEST_CASE("all errors of a file are told in one run, in the order of the text") {
     const ReadResult result = read("pinfield: 1\ntable: {sise: [1, 2]}\nscene:\n  - circel: {}\n  - circle: {radius: -1, turn: 3mm}\n  - bumper: {material: none}\n");
-    CHECK(codes_and_places(result) == std::vector<std::string>{"E0202 2:9", "E0203 4:5", "E0208 5:22", "E0213 5:32", "E0301 6:22"});
+    CHECK(codes_and_places(result) == std::vector<std::string>{"E0202 2:9", "E0203 4:5", "E0208 5:22", "E0213 5:32", "E0301 6:24"});
 }
 
 TEST_CASE("a diagnostic shows its line with a caret, and how to mend it") {
     const ReadResult result = read("pinfield: 1\nscene:\n  - circle: {note: é, radious: 3}\n");
     CHECK(told(result) ==
-          "test.yaml:3:22: error: circle has no radious [E0202]\n"
+          "test.yaml:3:23: error: circle has no radious [E0202]\n"
           "    - circle: {note: é, radious: 3}\n"
-          "                       ^\n"
+          "                        ^\n"
           "  hint: did you mean radius?\n");
 }
 
@@ -101,7 +101,7 @@ TEST_CASE("limits are counted and can be raised") {
     CHECK(read(four).ok());
     tight = {};
     tight.points = 3;
-    CHECK(codes_and_places(read("pinfield: 1\nscene: [polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]]}]\n", tight)) == std::vector<std::string>{"E0111 2:28"});
+    CHECK(codes_and_places(read("pinfield: 1\nscene: [polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]]}]\n", tight)) == std::vector<std::string>{"E0111 2:27"});
     tight = {};
     tight.events = 10;
     CHECK(read(four, tight).diagnostics.front().code == "E0108");

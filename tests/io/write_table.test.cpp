@@ -39,7 +39,7 @@ TEST_CASE("scenes after random edits survive the canonical form") {
         Scene scene = read(text).scene;
         for (int i = 0; i < 100; ++i)
             if (const auto edit = some_edit(scene, rng)) apply(scene, *edit);
-        // An id may not be empty in a file, and a material or input must exist.
+        scene.tests.clear();  // they may expect something of a node that has another id now
         const std::string canonical = write_table(scene);
         const ReadResult again = read(canonical);
         INFO(name << "\n" << canonical << told(again));
