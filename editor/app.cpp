@@ -129,7 +129,6 @@ void App::take_key(int code, bool down) {
     const bool asks = state_.prompt || !state_.dialog_action.empty() || state_.show_help;
     const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0;
     if (asks) return;
-    if (key == "Escape") cancel_drags();
     const bool plain = !control_ && !alt_;
     if (typing && (plain || !control_)) return;
     // The table's own keys come first: a game is to be played with whatever keys its author chose.
@@ -139,13 +138,17 @@ void App::take_key(int code, bool down) {
     if (shift_) chord += "Shift+";
     const Action* action = action_of(chord + character_of(key));
     if (!action) action = action_of(chord + std::string(key));
+    // During a drag, Esc and undo take the drag back and nothing more.
+    if (action && action->name.starts_with("edit.") && cancel_drags()) return;
     if (action && enabled(state_, action->name)) editor::run(state_, action->name);
 }
 
-void App::cancel_drags() {
+bool App::cancel_drags() {
+    const bool any = ui_.drag.active() || ui_.scrub.active();
     if (ui_.drag.active()) ui_.drag.cancel(state_.document);
     if (ui_.scrub.active()) ui_.scrub.cancel(state_.document);
     ui_.pressed_node = {};
+    return any;
 }
 
 Canvas App::canvas() const {

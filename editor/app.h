@@ -49,7 +49,7 @@ private:
     App(AppState state, std::unique_ptr<Window> window, const AppOptions& options);
 
     void take_key(int code, bool down);
-    void cancel_drags();
+    bool cancel_drags();  ///< whether there was one
     int due_ticks(double seconds);
     void draw(int ticks, double seconds);  ///< all of a frame but showing it
     Canvas canvas() const;
