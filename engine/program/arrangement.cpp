@@ -30,7 +30,8 @@ double position_along(const Piece& piece, const Vec2& p) {
     if (!piece.is_arc()) return dot(p - piece.a, piece.b - piece.a);
     const Vec2 start = piece.a - piece.centre, here = p - piece.centre;
     const double sine = piece.turn * cross(start, here), cosine = dot(start, here);
-    const double share = cosine / (std::fabs(sine) + std::fabs(cosine));  // an angle in all but name: 0 ... 4 round the circle
+    const double share =
+        cosine / (std::fabs(sine) + std::fabs(cosine));  // an angle in all but name: 0 ... 4 round the circle
     return sine >= 0 ? 1 - share : 3 + share;
 }
 
@@ -50,7 +51,8 @@ std::vector<Piece> parts_of(const Edge& edge) {
     std::vector<Piece> parts;
     if (edge.piece.is_full_circle()) {
         if (cuts.size() < 2) return {edge.piece};
-        for (std::size_t i = 0; i < cuts.size(); ++i) parts.push_back(part_of(edge.piece, cuts[i], cuts[(i + 1) % cuts.size()]));
+        for (std::size_t i = 0; i < cuts.size(); ++i)
+            parts.push_back(part_of(edge.piece, cuts[i], cuts[(i + 1) % cuts.size()]));
         return parts;
     }
     if (cuts.empty()) return {edge.piece};
@@ -89,8 +91,10 @@ public:
         : field_(field), root_(root), leaves_(leaves) {
         double extent = 0;
         for (std::size_t i = 0; i < leaves.size(); ++i) {
-            extent = std::max({extent, leaves[i].bounds.lo.cwiseAbs().maxCoeff(), leaves[i].bounds.hi.cwiseAbs().maxCoeff()});
-            for (const Piece& piece : leaves[i].outline) edges_.push_back({piece, static_cast<int>(i), bounds_of(piece), {}});
+            extent = std::max(
+                {extent, leaves[i].bounds.lo.cwiseAbs().maxCoeff(), leaves[i].bounds.hi.cwiseAbs().maxCoeff()});
+            for (const Piece& piece : leaves[i].outline)
+                edges_.push_back({piece, static_cast<int>(i), bounds_of(piece), {}});
         }
         // Thousands of roundings wide, so that outlines meant to touch do; far below the 1e-9 that lowering promises.
         tolerance_ = 1e-12 * extent;
@@ -106,7 +110,8 @@ public:
 
 private:
     void cut_pair(Edge& a, Edge& b) {
-        if (a.owner != b.owner && a.box.grown(tolerance_).overlaps(b.box)) meet(a.piece, b.piece, tolerance_, a.cuts, b.cuts);
+        if (a.owner != b.owner && a.box.grown(tolerance_).overlaps(b.box))
+            meet(a.piece, b.piece, tolerance_, a.cuts, b.cuts);
     }
 
     void cut_all() {
@@ -122,9 +127,9 @@ private:
         }
     }
 
-    /// Keeps the part when the solid lies on one side of it only. Sides are told leaf by leaf: the part's own leaf is on its left;
-    /// any other holds both sides or none, unless its outline runs along here, which the sign of its gradient then resolves.
-    /// Of parts that run along each other the first leaf's stays.
+    /// Keeps the part when the solid lies on one side of it only. Sides are told leaf by leaf: the part's own leaf is
+    /// on its left; any other holds both sides or none, unless its outline runs along here, which the sign of its
+    /// gradient then resolves. Of parts that run along each other the first leaf's stays.
     void judge(const Edge& edge, const Piece& part, std::vector<OwnedPiece>& out) {
         const Probe probe = probe_of(part, edge.cuts);
         std::vector<char> left(leaves_.size(), 0), right(leaves_.size(), 0);

@@ -20,15 +20,15 @@ struct OwnedPiece {
     int owner = 0;  ///< index into the leaf images
 };
 
-/// All appearances below an op, in the order a walk of the tree meets them; empty when the tree holds anything but shapes with
-/// outlines under union, intersection, difference, xor, complement and images.
+/// All appearances below an op, in the order a walk of the tree meets them; empty when the tree holds anything but
+/// shapes with outlines under union, intersection, difference, xor, complement and images.
 std::vector<LeafImage> leaf_images(const Field& field, int root);
 
 /// Is a point in the tree's solid, given for each appearance whether it is in that one?
 bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf);
 
-/// The boundary of the tree's solid: every outline is cut where others meet it, and those cuts stay that have the solid on one
-/// side only, turned so that it is the left one.
+/// The boundary of the tree's solid: every outline is cut where others meet it, and those cuts stay that have the solid
+/// on one side only, turned so that it is the left one.
 std::vector<OwnedPiece> boundary_of(const Field& field, int root, const std::vector<LeafImage>& leaves);
 
 }  // namespace pinfield

@@ -43,11 +43,16 @@ struct Bin {
 Bvh::TreeNode node_around(const Extent& e, int first, int count) {
     const double reach = std::max({std::fabs(e.lo[0]), std::fabs(e.lo[1]), std::fabs(e.hi[0]), std::fabs(e.hi[1])});
     const double room = 2.5e-7 * reach + 1e-12;  // four roundings of a float
-    return {static_cast<float>(e.lo[0] - room), static_cast<float>(e.lo[1] - room), static_cast<float>(e.hi[0] + room),
-            static_cast<float>(e.hi[1] + room), first, count};
+    return {static_cast<float>(e.lo[0] - room),
+            static_cast<float>(e.lo[1] - room),
+            static_cast<float>(e.hi[0] + room),
+            static_cast<float>(e.hi[1] + room),
+            first,
+            count};
 }
 
-/// The border between bins whose two sides cost least: their perimeters (the chance that a search enters) times their entries.
+/// The border between bins whose two sides cost least: their perimeters (the chance that a search enters) times their
+/// entries.
 int best_border(const std::array<Bin, bin_count>& bins) {
     std::array<double, bin_count> right_cost{};
     Bin right;
@@ -66,7 +71,8 @@ int best_border(const std::array<Bin, bin_count>& bins) {
     return static_cast<int>(best);
 }
 
-/// Surface-area heuristic over bins of centres (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
+/// Surface-area heuristic over bins of centres (Wald, "On fast construction of SAH-based bounding volume hierarchies",
+/// 2007).
 class Builder {
 public:
     Builder(std::vector<Entry>& entries, std::vector<Bvh::TreeNode>& nodes) : entries_(entries), nodes_(nodes) {
@@ -95,8 +101,8 @@ private:
         split(left + 1, first + left_count, count - left_count, depth + 1);
     }
 
-    /// Reorders the entries so that those of the left child come first, each side in its old order; tells how many they are.
-    /// Halves the list by position where bins cannot tell the entries apart or the tree grows too deep.
+    /// Reorders the entries so that those of the left child come first, each side in its old order; tells how many they
+    /// are. Halves the list by position where bins cannot tell the entries apart or the tree grows too deep.
     std::size_t partition(const Extent& centres, std::size_t first, std::size_t count, int depth) {
         const double spread[] = {centres.hi[0] - centres.lo[0], centres.hi[1] - centres.lo[1]};
         const int axis = spread[1] > spread[0] ? 1 : 0;
@@ -111,8 +117,10 @@ private:
         const int border = best_border(bins);
         std::size_t left_count = 0, right_count = 0;
         for (std::size_t i = first; i < first + count; ++i) {
-            if (entries_[i].bin < border) entries_[first + left_count++] = entries_[i];
-            else others_[right_count++] = entries_[i];
+            if (entries_[i].bin < border)
+                entries_[first + left_count++] = entries_[i];
+            else
+                others_[right_count++] = entries_[i];
         }
         std::copy_n(others_.begin(), right_count, entries_.begin() + static_cast<std::ptrdiff_t>(first + left_count));
         return left_count == 0 || right_count == 0 ? count / 2 : left_count;
@@ -133,8 +141,10 @@ Bvh::Bvh(std::span<const Box2> boxes) {
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         const Box2& box = boxes[i];
         const int id = static_cast<int>(i);
-        if (is_searchable(box)) entries.push_back({extent_of(box), {box.centre().x(), box.centre().y()}, id, 0});
-        else if (!box.is_empty()) unbounded_.push_back(id);
+        if (is_searchable(box))
+            entries.push_back({extent_of(box), {box.centre().x(), box.centre().y()}, id, 0});
+        else if (!box.is_empty())
+            unbounded_.push_back(id);
     }
     if (entries.empty()) return;
     Builder(entries, nodes_);
@@ -156,7 +166,12 @@ void Bvh::refit(std::span<const Box2> boxes) {
         const auto first = static_cast<std::size_t>(node.first);
         if (node.count == 0) {
             const TreeNode &a = nodes_[first], &b = nodes_[first + 1];
-            node = {std::min(a.lo_x, b.lo_x), std::min(a.lo_y, b.lo_y), std::max(a.hi_x, b.hi_x), std::max(a.hi_y, b.hi_y), node.first, 0};
+            node = {std::min(a.lo_x, b.lo_x),
+                    std::min(a.lo_y, b.lo_y),
+                    std::max(a.hi_x, b.hi_x),
+                    std::max(a.hi_y, b.hi_y),
+                    node.first,
+                    0};
             continue;
         }
         Extent extent;

@@ -18,8 +18,9 @@ public:
     /// New boxes for the same entries: keeps the tree's shape and refits it.
     void refit(std::span<const Box2> boxes);
 
-    /// Calls visit(entry) for entries whose box is nearer to p than `reach`, near boxes first; visit returns the new reach
-    /// (at most the old one). Order is a function of the boxes and p alone. A box exactly at reach is still visited.
+    /// Calls visit(entry) for entries whose box is nearer to p than `reach`, near boxes first; visit returns the new
+    /// reach (at most the old one). Order is a function of the boxes and p alone. A box exactly at reach is still
+    /// visited.
     template <class Visit>
     void nearest(const Vec2& p, double reach, Visit&& visit) const;
     /// The same with squares of distances throughout: spares a root for every box.

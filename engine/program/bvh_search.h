@@ -10,8 +10,10 @@ namespace detail {
 inline constexpr int bvh_depth = 64;
 
 inline double squared_distance(const Bvh::TreeNode& node, const Vec2& p) {
-    const double dx = std::max(std::max(static_cast<double>(node.lo_x) - p.x(), p.x() - static_cast<double>(node.hi_x)), 0.0);
-    const double dy = std::max(std::max(static_cast<double>(node.lo_y) - p.y(), p.y() - static_cast<double>(node.hi_y)), 0.0);
+    const double dx =
+        std::max(std::max(static_cast<double>(node.lo_x) - p.x(), p.x() - static_cast<double>(node.hi_x)), 0.0);
+    const double dy =
+        std::max(std::max(static_cast<double>(node.lo_y) - p.y(), p.y() - static_cast<double>(node.hi_y)), 0.0);
     return dx * dx + dy * dy;
 }
 

@@ -25,9 +25,7 @@ void add_part(Kitchen& kitchen, const Item& item, Program& program) {
     Part& part = program.parts.back();
     switch (item.role) {
         case Role::solid:
-        case Role::boundary:
-            part.solid = add_static_solid(kitchen, item, index_of_part, program);
-            break;
+        case Role::boundary: part.solid = add_static_solid(kitchen, item, index_of_part, program); break;
         case Role::mover:
             part.mover = static_cast<int>(program.movers.size());
             program.movers.push_back(cook_mover(kitchen, item, index_of_part));
@@ -51,7 +49,8 @@ void add_missing_domain(Kitchen& kitchen, const std::vector<Item>& items, Progra
         if (item.role != Role::boundary) continue;
         const LayerMask layers = layers_of(kitchen, item.node);
         if (bounded & layers)
-            kitchen.problems.push_back(diagnose(Code::second_domain, kitchen.scene.find(item.node)->key, "this layer has a domain already"));
+            kitchen.problems.push_back(
+                diagnose(Code::second_domain, kitchen.scene.find(item.node)->key, "this layer has a domain already"));
         bounded |= layers;
     }
     const LayerMask all = static_cast<LayerMask>((std::uint64_t{1} << kitchen.layers.size()) - 1);
@@ -65,7 +64,9 @@ tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
     for (const NodeId root : scene.roots()) collect_items(scene, root, items);
     Kitchen kitchen{scene, layer_names(scene, items), {}};
     if (kitchen.layers.size() > most_layers) {
-        kitchen.problems.push_back(diagnose(Code::out_of_range, scene.table().where, fmt::format("the table has {} layers, at most {} are possible", kitchen.layers.size(), most_layers)));
+        kitchen.problems.push_back(diagnose(
+            Code::out_of_range, scene.table().where,
+            fmt::format("the table has {} layers, at most {} are possible", kitchen.layers.size(), most_layers)));
         return tl::unexpected(kitchen.problems);
     }
     auto program = std::make_shared<Program>();
@@ -76,8 +77,10 @@ tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
     program->size = scene.table().get<Vec2>("size");
     for (const InputBinding& input : scene.inputs) program->inputs.push_back(input.name);
     for (const Item& item : items) {
-        if (item.is_part) add_part(kitchen, item, *program);
-        else add_static_solid(kitchen, item, -1, *program);
+        if (item.is_part)
+            add_part(kitchen, item, *program);
+        else
+            add_static_solid(kitchen, item, -1, *program);
     }
     add_missing_domain(kitchen, items, *program);
     if (has_errors(kitchen.problems)) return tl::unexpected(kitchen.problems);

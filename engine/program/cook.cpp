@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "engine/core/trig.h"
 #include "engine/core/error_codes.h"
+#include "engine/core/trig.h"
 #include "engine/program/field.h"
 #include "engine/program/piece_distance.h"
 
@@ -53,7 +53,8 @@ int input_index(Kitchen& kitchen, const Node& node, const std::string& name, Spa
     const auto& inputs = kitchen.scene.inputs;
     const auto at = std::find_if(inputs.begin(), inputs.end(), [&](const InputBinding& i) { return i.name == name; });
     if (at != inputs.end()) return static_cast<int>(at - inputs.begin());
-    kitchen.problems.push_back(diagnose(Code::unknown_input, where == Span{} ? node.where : where, "no input is named '" + name + "'"));
+    kitchen.problems.push_back(
+        diagnose(Code::unknown_input, where == Span{} ? node.where : where, "no input is named '" + name + "'"));
     return -1;
 }
 
@@ -71,7 +72,9 @@ void collect_items(const Scene& scene, NodeId id, std::vector<Item>& out) {
 }
 
 NodeId scene_node_of(const Scene& scene, NodeId id) {
-    const auto is_group = [&](NodeId n) { return scene.find(n)->type->part && scene.find(n)->type->part->role == Role::group; };
+    const auto is_group = [&](NodeId n) {
+        return scene.find(n)->type->part && scene.find(n)->type->part->role == Role::group;
+    };
     while (scene.find(id)->parent && !is_group(scene.find(id)->parent)) id = scene.find(id)->parent;
     return id;
 }
@@ -86,10 +89,12 @@ std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>
 }
 
 LayerMask layers_of(const Kitchen& kitchen, NodeId id) {
-    for (const Node* node = kitchen.scene.find(id); node; node = node->parent ? kitchen.scene.find(node->parent) : nullptr) {
+    for (const Node* node = kitchen.scene.find(id); node;
+         node = node->parent ? kitchen.scene.find(node->parent) : nullptr) {
         LayerMask mask = 0;
         for (const std::string& layer : node->get<std::vector<std::string>>("layer"))
-            mask |= LayerMask{1} << (std::find(kitchen.layers.begin(), kitchen.layers.end(), layer) - kitchen.layers.begin());
+            mask |= LayerMask{1} << (std::find(kitchen.layers.begin(), kitchen.layers.end(), layer) -
+                                     kitchen.layers.begin());
         if (mask != 0) return mask;
     }
     return ground_layer;
@@ -134,8 +139,10 @@ std::vector<MaterialRecord> cook_materials(const Scene& scene) {
     std::vector<MaterialRecord> out{material_record("default", Material{}, {})};
     for (const NodeId id : scene.materials()) {
         const MaterialRecord record = cook_material(*scene.find(id));
-        if (record.name == out[0].name) out[0] = record;
-        else out.push_back(record);
+        if (record.name == out[0].name)
+            out[0] = record;
+        else
+            out.push_back(record);
     }
     return out;
 }

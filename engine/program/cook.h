@@ -1,5 +1,5 @@
-// Scene nodes one at a time into what a Program is made of. compile.cpp cooks all of them, patch.cpp those that an edit touched:
-// both through these functions, so that a patched program cannot differ from a compiled one.
+// Scene nodes one at a time into what a Program is made of. compile.cpp cooks all of them, patch.cpp those that an edit
+// touched: both through these functions, so that a patched program cannot differ from a compiled one.
 #pragma once
 #include <string>
 #include <vector>

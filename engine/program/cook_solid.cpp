@@ -13,7 +13,8 @@ namespace pinfield {
 namespace {
 
 bool is_finite(const Similarity& s) {
-    return std::isfinite(s.cosine) && std::isfinite(s.sine) && std::isfinite(s.scale) && s.scale > 0 && s.offset.allFinite();
+    return std::isfinite(s.cosine) && std::isfinite(s.sine) && std::isfinite(s.scale) && s.scale > 0 &&
+           s.offset.allFinite();
 }
 
 /// For formulas that grow boxes by a length of their own frame.
@@ -63,7 +64,8 @@ int Emitter::emit_part_shape(const Node& node, const Similarity& field_from_node
     if (node.children.empty()) {
         if (!node.type->part->customary_shape) return -1;
         std::vector<Value> values;
-        for (int i = 0; i < node.type->own_fields; ++i) values.push_back(node.fields[static_cast<std::size_t>(i)].value);
+        for (int i = 0; i < node.type->own_fields; ++i)
+            values.push_back(node.fields[static_cast<std::size_t>(i)].value);
         CustomaryShape shape = node.type->part->customary_shape(pack(*node.type, values).data());
         return emit(*shape.kernels, std::move(shape.params), node.id, field_from_node * shape.part_from_shape, {});
     }
@@ -73,8 +75,8 @@ int Emitter::emit_part_shape(const Node& node, const Similarity& field_from_node
     return children.size() == 1 ? children[0] : emit_implied<sdf::Union>(node.id, field_from_node, children);
 }
 
-int Emitter::emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId origin, const Similarity& field_from_op,
-                  const std::vector<int>& children) {
+int Emitter::emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId origin,
+                  const Similarity& field_from_op, const std::vector<int>& children) {
     Op op;
     op.kernels = &kernels;
     op.params = static_cast<int>(field_.params.size());
@@ -89,7 +91,8 @@ int Emitter::emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId
     op.origin = origin;
     op.material = material_of(origin);
     if (!is_finite(field_from_op) || !is_finite(op.local_from_field))
-        kitchen_.problems.push_back(diagnose(Code::not_finite, scene_.find(origin)->where, "is placed or scaled beyond what can be computed"));
+        kitchen_.problems.push_back(
+            diagnose(Code::not_finite, scene_.find(origin)->where, "is placed or scaled beyond what can be computed"));
     if (kernels.images) {
         const Similarity identity;
         for (const Similarity& image : kernels.images(block.data())) {
@@ -110,7 +113,8 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
     std::vector<Box2> boxes;
     std::vector<Exactness> sides;
     for (int i = 0; i < op.child_count; ++i) {
-        const Op& child = field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link + i)])];
+        const Op& child =
+            field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link + i)])];
         boxes.push_back(scaled(child.bounds, 1 / op.scale));
         sides.push_back(child.exactness);
     }
@@ -120,9 +124,11 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
         case sdf::Form::fold:
         case sdf::Form::modify: op.bounds = scaled(op.kernels->bounds_over(params, boxes), op.scale); break;
         case sdf::Form::images: {
-            const Op& child = field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link)])];
+            const Op& child =
+                field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link)])];
             for (int i = 0; i < op.image_count; ++i)
-                op.bounds = op.bounds.merged(field_.images[static_cast<std::size_t>(op.first_image + i)] * child.bounds);
+                op.bounds =
+                    op.bounds.merged(field_.images[static_cast<std::size_t>(op.first_image + i)] * child.bounds);
             break;
         }
     }
@@ -166,14 +172,16 @@ bool has_enough_children(const Scene& scene, NodeId id, Diagnostics& problems) {
     const int count = static_cast<int>(node.children.size());
     bool fine = true;
     if (count < allowed.min || count > allowed.max) {
-        problems.push_back(diagnose(Code::child_count, node.key, fmt::format("{} takes {} {} children, not {}", node.type->key(),
-                                                                            count < allowed.min ? "at least" : "at most",
-                                                                            count < allowed.min ? allowed.min : allowed.max, count)));
+        problems.push_back(diagnose(Code::child_count, node.key,
+                                    fmt::format("{} takes {} {} children, not {}", node.type->key(),
+                                                count < allowed.min ? "at least" : "at most",
+                                                count < allowed.min ? allowed.min : allowed.max, count)));
         fine = false;
     }
     for (const NodeId child : node.children) {
         if (!scene.find(child)->type->kernels) {
-            problems.push_back(diagnose(Code::misplaced_part, scene.find(child)->key, "only shapes and operations may stand here"));
+            problems.push_back(
+                diagnose(Code::misplaced_part, scene.find(child)->key, "only shapes and operations may stand here"));
             return false;
         }
         fine = has_enough_children(scene, child, problems) && fine;
@@ -188,7 +196,8 @@ Field cook_solid(Kitchen& kitchen, const Item& item, const Similarity& field_fro
     if (!has_enough_children(kitchen.scene, item.node, kitchen.problems)) return field;
     Emitter emitter(kitchen, field);
     const Node& node = *kitchen.scene.find(item.node);
-    const int shape = item.is_part ? emitter.emit_part_shape(node, field_from_node) : emitter.emit_node(item.node, field_from_node);
+    const int shape =
+        item.is_part ? emitter.emit_part_shape(node, field_from_node) : emitter.emit_node(item.node, field_from_node);
     if (shape < 0) return field;
     if (item.role == Role::boundary) emitter.emit_implied<sdf::Complement>(item.node, field_from_node, {shape});
     finish(field, item.node, layers_of(kitchen, item.node), is_visible(kitchen.scene, item.node));

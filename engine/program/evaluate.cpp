@@ -11,8 +11,8 @@ constexpr double certificate_slack = 1e-11;
 
 const Solid& solid_at(const Field& field, int solid) { return field.solids[static_cast<std::size_t>(solid)]; }
 
-/// The nearest entry found so far by a search over Field::bvh. Of equals the lower entry stays, so that the result does not
-/// depend on the order of visits.
+/// The nearest entry found so far by a search over Field::bvh. Of equals the lower entry stays, so that the result does
+/// not depend on the order of visits.
 struct Winner {
     double squared;
     int entry = -1;
@@ -36,8 +36,8 @@ Nearest surface(const Field& field, int piece, const Vec2& p, bool inside_at_end
     return out;
 }
 
-/// Is the value the true distance? Walk it along the gradient and a hair further: if the surface was crossed by then it is no
-/// farther, and as a bound it is no nearer (the foot-point certificate of SDF_CATALOGUE 2.4, by sign).
+/// Is the value the true distance? Walk it along the gradient and a hair further: if the surface was crossed by then it
+/// is no farther, and as a bound it is no nearer (the foot-point certificate of SDF_CATALOGUE 2.4, by sign).
 bool is_certified(const Field& field, const Op& root, int op, const Vec2& p, const sdf::Sample& s) {
     if ((s.value < 0 ? root.exactness.inside : root.exactness.outside) == Side::exact) return true;
     const double slack = certificate_slack * (1 + std::fabs(s.value) + p.cwiseAbs().maxCoeff());
@@ -83,7 +83,8 @@ bool contains(const Field& field, const Solid& solid, const Vec2& p) {
 /// Does any solid of these layers, other than `except`, contain p?
 bool is_covered(const Field& field, const Vec2& p, LayerMask layers, int except) {
     for (std::size_t i = 0; i < field.solids.size(); ++i)
-        if (static_cast<int>(i) != except && (field.solids[i].layers & layers) && contains(field, field.solids[i], p)) return true;
+        if (static_cast<int>(i) != except && (field.solids[i].layers & layers) && contains(field, field.solids[i], p))
+            return true;
     return false;
 }
 
@@ -135,7 +136,8 @@ Nearest nearest(const Field& field, const Vec2& p, LayerMask layers, double reac
     if (containing == 0) return nearest_outside(field, p, layers, reach);
     // The way out ends in the open only when no other solid lies over the end of it.
     const Vec2 exit = p - deepest.distance * deepest.gradient;
-    if (containing > 1 || (deepest.certified && is_covered(field, exit, layers, deepest.solid))) deepest.certified = false;
+    if (containing > 1 || (deepest.certified && is_covered(field, exit, layers, deepest.solid)))
+        deepest.certified = false;
     return deepest;
 }
 

@@ -85,7 +85,7 @@ private:
     }
 
     void images(const Op& op, const Points& p, Row& out) const {
-        out.fill(std::numeric_limits<float>::infinity());
+        std::fill_n(out.begin(), p.n, std::numeric_limits<float>::infinity());
         for (int i = 0; i < op.image_count; ++i) {
             Row x, y, d;
             transform(field_.images[static_cast<std::size_t>(op.first_image + i)].inverse(), p, x, y);
@@ -110,6 +110,12 @@ void take_minimum(const Row& d, int index, int n, Row& distance, Row& winner) {
     }
 }
 
+void take_minimum(const Row& d, int n, Row& distance) {
+    for (int i = 0; i < n; i += width)
+        xsimd::min(Batch::load_unaligned(distance.data() + i), Batch::load_unaligned(d.data() + i))
+            .store_unaligned(distance.data() + i);
+}
+
 }  // namespace
 
 void evaluate_packets(const Field& field, std::span<const int> candidates, const float* x, const float* y, int n,
@@ -118,15 +124,20 @@ void evaluate_packets(const Field& field, std::span<const int> candidates, const
     Row px, py, best, winner, d;
     for (int start = 0; start < n; start += block) {
         const int count = std::min(block, n - start);
-        px.fill(0);  // whole rows are read; what lies behind the last point must at least be a number
-        py.fill(0);
+        const int whole = (count + width - 1) / width * width;
         std::copy_n(x + start, count, px.begin());
         std::copy_n(y + start, count, py.begin());
-        best.fill(std::numeric_limits<float>::infinity());
-        winner.fill(-1);
+        std::fill(px.begin() + count, px.begin() + whole,
+                  0.0f);  // whole batches are read: these must at least be numbers
+        std::fill(py.begin() + count, py.begin() + whole, 0.0f);
+        std::fill_n(best.begin(), whole, std::numeric_limits<float>::infinity());
+        std::fill_n(winner.begin(), whole, -1.0f);
         for (const int candidate : candidates) {
             evaluator.value(field.solids[static_cast<std::size_t>(candidate)].root, {px.data(), py.data(), count}, d);
-            take_minimum(d, candidate, count, best, winner);
+            if (solid)
+                take_minimum(d, candidate, count, best, winner);
+            else
+                take_minimum(d, count, best);
         }
         std::copy_n(best.begin(), count, distance + start);
         if (solid)

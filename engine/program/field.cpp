@@ -7,13 +7,16 @@
 namespace pinfield {
 namespace {
 
-/// A place in each of a Field's lists. The shares of the solids follow each other without gaps, in the order of the solids.
+/// A place in each of a Field's lists. The shares of the solids follow each other without gaps, in the order of the
+/// solids.
 struct Place {
     int op = 0, link = 0, image = 0, param = 0, solid = 0, piece = 0;
 };
 
 template <class T>
-int count(const std::vector<T>& list) { return static_cast<int>(list.size()); }
+int count(const std::vector<T>& list) {
+    return static_cast<int>(list.size());
+}
 
 Place end_of(const Field& f) {
     return {count(f.ops), count(f.links), count(f.images), count(f.params), count(f.solids), count(f.pieces)};
@@ -24,7 +27,8 @@ Place begin_of(const Field& field, int index) {
     if (index == count(field.solids)) return end_of(field);
     const int first_op = index == 0 ? 0 : field.solids[static_cast<std::size_t>(index) - 1].root + 1;
     const Op& op = field.ops[static_cast<std::size_t>(first_op)];
-    return {first_op, op.first_link, op.first_image, op.params, index, field.solids[static_cast<std::size_t>(index)].first_piece};
+    return {first_op,  op.first_link, op.first_image,
+            op.params, index,         field.solids[static_cast<std::size_t>(index)].first_piece};
 }
 
 Place operator-(const Place& a, const Place& b) {
@@ -54,8 +58,10 @@ template <class T>
 void replace(std::vector<T>& list, int begin, int end, const std::vector<T>& with) {
     const int shared = std::min(end - begin, count(with));
     std::copy(with.begin(), with.begin() + shared, list.begin() + begin);
-    if (shared < end - begin) list.erase(list.begin() + begin + shared, list.begin() + end);
-    else list.insert(list.begin() + end, with.begin() + shared, with.end());
+    if (shared < end - begin)
+        list.erase(list.begin() + begin + shared, list.begin() + end);
+    else
+        list.insert(list.begin() + end, with.begin() + shared, with.end());
 }
 
 }  // namespace

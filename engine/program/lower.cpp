@@ -58,7 +58,8 @@ bool collect(const Field& field, int index, const Similarity& chain, std::vector
         for (int i = 0; i < op.child_count; ++i) {
             const int child = field.links[static_cast<std::size_t>(op.first_link + i)];
             const bool in_place = op.kernels->form != Form::images;
-            const Similarity here = in_place ? chain : chain * field.images[static_cast<std::size_t>(op.first_image + image)];
+            const Similarity here =
+                in_place ? chain : chain * field.images[static_cast<std::size_t>(op.first_image + image)];
             if (!collect(field, child, here, out)) return false;
         }
     return true;

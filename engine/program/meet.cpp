@@ -24,8 +24,8 @@ Points cross_lines(const Piece& a, const Piece& b) {
     return out;
 }
 
-/// Near a tangency the two crossings are ill-conditioned along the line and only one point is needed: what lies between them
-/// is thinner than the tolerance.
+/// Near a tangency the two crossings are ill-conditioned along the line and only one point is needed: what lies between
+/// them is thinner than the tolerance.
 Points cross_line_circle(const Piece& line, const Piece& arc, double tolerance) {
     Points out;
     const double line_length = length(line.b - line.a);
@@ -71,7 +71,8 @@ bool close(const Vec2& p, const Vec2& q, double tolerance) { return dot(p - q, p
 
 void cut(const Piece& piece, const Vec2& at, double tolerance, std::vector<Vec2>& cuts) {
     constexpr double apart = 4;  // tolerances between two cuts: no slivers
-    if (!piece.is_full_circle() && (close(at, piece.a, apart * tolerance) || close(at, piece.b, apart * tolerance))) return;
+    if (!piece.is_full_circle() && (close(at, piece.a, apart * tolerance) || close(at, piece.b, apart * tolerance)))
+        return;
     for (const Vec2& other : cuts)
         if (close(at, other, apart * tolerance)) return;
     cuts.push_back(at);
@@ -85,7 +86,8 @@ void cut_at_ends(const Piece& piece, const Piece& other, double tolerance, std::
 
 }  // namespace
 
-void meet(const Piece& a, const Piece& b, double tolerance, std::vector<Vec2>& cuts_of_a, std::vector<Vec2>& cuts_of_b) {
+void meet(const Piece& a, const Piece& b, double tolerance, std::vector<Vec2>& cuts_of_a,
+          std::vector<Vec2>& cuts_of_b) {
     cut_at_ends(a, b, tolerance, cuts_of_a);
     cut_at_ends(b, a, tolerance, cuts_of_b);
     const Points points = crossings(a, b, tolerance);

@@ -1,5 +1,5 @@
-// The hierarchy over the pieces is built anew rather than refitted: that costs microseconds (bench_program), and a refitted
-// tree would visit entries in another order than a compiled one.
+// The hierarchy over the pieces is built anew rather than refitted: that costs microseconds (bench_program), and a
+// refitted tree would visit entries in another order than a compiled one.
 #include "engine/program/patch.h"
 
 #include <algorithm>
@@ -23,7 +23,8 @@ public:
         program_->size = scene.table().get<Vec2>("size");
         if (record == scene.table().id) {
             const int domain = solid_of(record);
-            if (domain >= 0 && !put(domain, cook_default_domain(kitchen_, program_->fixed.solids[at(domain)].layers))) return nullptr;
+            if (domain >= 0 && !put(domain, cook_default_domain(kitchen_, program_->fixed.solids[at(domain)].layers)))
+                return nullptr;
         }
         return finished();
     }
@@ -43,11 +44,14 @@ private:
 
     int solid_of(NodeId origin) const {
         const auto& solids = program_->fixed.solids;
-        const auto found = std::find_if(solids.begin(), solids.end(), [&](const Solid& s) { return s.origin == origin; });
+        const auto found =
+            std::find_if(solids.begin(), solids.end(), [&](const Solid& s) { return s.origin == origin; });
         return found == solids.end() ? -1 : static_cast<int>(found - solids.begin());
     }
 
-    Field cook_static(const Item& item) { return cook_solid(kitchen_, item, world_from_local(kitchen_.scene, item.node)); }
+    Field cook_static(const Item& item) {
+        return cook_solid(kitchen_, item, world_from_local(kitchen_.scene, item.node));
+    }
 
     /// False when the edit made a solid come or go: then indices change, and compile() must count them again.
     bool put(int solid, Field fragment) {
@@ -70,7 +74,8 @@ private:
         fresh.sensor = part.sensor;
         part = std::move(fresh);
         if (part.mover >= 0) {
-            program_->movers[at(part.mover)] = cook_mover(kitchen_, item, static_cast<int>(found - program_->parts.begin()));
+            program_->movers[at(part.mover)] =
+                cook_mover(kitchen_, item, static_cast<int>(found - program_->parts.begin()));
             return true;
         }
         Field fragment = cook_solid(kitchen_, item, part.world_from_part);
@@ -100,7 +105,8 @@ ProgramPtr patch(const Program& before, const Scene& scene, NodeId id, int field
     if (!node) return nullptr;
     const FieldType& changed = node->type->fields[static_cast<std::size_t>(field)];
     if (node->type->meta.kind == NodeKind::record) return Patcher(before, scene).record_changed(id);
-    if (changed.key == "id" || changed.key == "layer") return nullptr;  // names and layers are counted over the whole table
+    if (changed.key == "id" || changed.key == "layer")
+        return nullptr;  // names and layers are counted over the whole table
     if (changed.key == "note" || changed.key == "locked") return Patcher(before, scene).unchanged();
     return Patcher(before, scene).node_changed(id);
 }

@@ -1,6 +1,6 @@
 // Point against boundary piece, the innermost step of every distance query; inline for the searches over many pieces.
-// Sums and products are written so that reflecting an axis, swapping x and y, or walking a piece from its other end gives
-// the same bits: a mirrored table then plays the mirrored game.
+// Sums and products are written so that reflecting an axis, swapping x and y, or walking a piece from its other end
+// gives the same bits: a mirrored table then plays the mirrored game.
 #pragma once
 #include "engine/core/geometry.h"
 #include "engine/sdf/outline.h"

@@ -1,17 +1,61 @@
-// Tiles with Lipschitz pruning: a solid whose value at a tile's centre exceeds the least one there by more than both can
-// change across the tile wins nowhere in it (Duff, "Interval arithmetic and recursive subdivision", 1992, and Barbier et al.,
-// "Lipschitz Pruning", 2025, tell the same story for general implicit surfaces).
+// Tiles with Lipschitz pruning: a solid whose value at a tile's centre exceeds the least one there by more than both
+// can change across the tile wins nowhere in it (Duff, "Interval arithmetic and recursive subdivision", 1992, and
+// Barbier et al., "Lipschitz Pruning", 2025, tell the same story for general implicit surfaces).
 #include "engine/program/raster.h"
 
 #include <algorithm>
 #include <array>
 
 #include "engine/program/evaluate.h"
+#include "engine/program/tree.h"
 
 namespace pinfield {
 namespace {
 
-constexpr int leaf_tile = 32;  // pixels; 32 x 32 points are one block of packets
+constexpr int leaf_tile = 16;  // pixels
+
+/// The material of a pixel whose solid is known: the same all over the solid, or told leaf by leaf where its leaves
+/// differ.
+class Materials {
+public:
+    explicit Materials(const Field& field) : field_(field), of_solid_(field.solids.size(), mixed) {
+        int first_op = 0;
+        for (std::size_t i = 0; i < field.solids.size(); ++i) {
+            bool found = false;
+            for (int op = first_op; op <= field.solids[i].root; ++op) {
+                const Op& leaf = field.ops[static_cast<std::size_t>(op)];
+                if (leaf.kernels->form != sdf::Form::shape) continue;
+                of_solid_[i] = !found || of_solid_[i] == leaf.material ? leaf.material : mixed;
+                if (of_solid_[i] == mixed) break;
+                found = true;
+            }
+            first_op = field.solids[i].root + 1;
+        }
+    }
+
+    /// `near`: at the surface or in the solid, where the colour shows; elsewhere any leaf's will do.
+    std::int16_t at(int solid, const Vec2& p, bool near) const {
+        const int known = of_solid_[static_cast<std::size_t>(solid)];
+        if (known != mixed) return static_cast<std::int16_t>(known);
+        const int root = field_.solids[static_cast<std::size_t>(solid)].root;
+        int leaf = root;
+        if (near) evaluate_tree(field_, root, p, &leaf);
+        return static_cast<std::int16_t>(field_.ops[static_cast<std::size_t>(leaf)].material);
+    }
+
+    static constexpr int mixed = -1;
+    /// The material that all of these solids are made of, or `mixed`.
+    int shared_by(const std::vector<int>& solids) const {
+        const int first = of_solid_[static_cast<std::size_t>(solids[0])];
+        const bool same = std::all_of(solids.begin(), solids.end(),
+                                      [&](int s) { return of_solid_[static_cast<std::size_t>(s)] == first; });
+        return same ? first : mixed;
+    }
+
+private:
+    const Field& field_;
+    std::vector<int> of_solid_;
+};
 
 struct Tile {
     int x, y, size;  // pixels, the top left corner
@@ -19,7 +63,8 @@ struct Tile {
 
 class Tiler {
 public:
-    Tiler(const Field& field, sdf::Isa isa, Raster& raster) : field_(field), isa_(isa), raster_(raster) {
+    Tiler(const Field& field, sdf::Isa isa, Raster& raster)
+        : field_(field), isa_(isa), raster_(raster), materials_(field) {
         pixel_ = raster.window.size().cwiseQuotient(Vec2(raster.width, raster.height));
     }
 
@@ -27,6 +72,9 @@ public:
         std::vector<int> all;
         for (std::size_t i = 0; i < field_.solids.size(); ++i)
             if (field_.solids[i].visible && (field_.solids[i].layers & layers)) all.push_back(static_cast<int>(i));
+        column_x_.clear();
+        for (int i = 0; i < raster_.width; ++i)
+            column_x_.push_back(static_cast<float>(raster_.window.lo.x() + (i + 0.5) * pixel_.x()));
         int size = leaf_tile;
         while (size < std::max(raster_.width, raster_.height)) size *= 2;
         values_.resize(all.size());
@@ -44,21 +92,27 @@ private:
         const Vec2 centre = centre_of(tile);
         const double reach = 0.5 * tile.size * length(pixel_);
         double least = infinity;  // an upper bound of the union's value anywhere in the tile
+        std::size_t best = 0;
         for (std::size_t i = 0; i < candidates.size(); ++i) {
             const Solid& solid = field_.solids[static_cast<std::size_t>(candidates[i])];
-            const double lipschitz = field_.ops[static_cast<std::size_t>(solid.root)].exactness.lipschitz;
+            const Exactness& exactness = field_.ops[static_cast<std::size_t>(solid.root)].exactness;
+            const double lipschitz = exactness.lipschitz;
             // The box bounds the solid, so its distance bounds an exact field from below: far ones need no evaluation.
-            if (lipschitz == 1 && solid.bounds.distance(centre) - reach > least) {
+            if (exactness.outside == Side::exact && solid.bounds.distance(centre) - reach > least) {
                 values_[i] = infinity;
                 continue;
             }
-            const double value = evaluate_tree(field_, solid.root, centre).value;
+            const double value = tree_value(field_, solid.root, centre);
             values_[i] = value - lipschitz * reach;
-            least = std::min(least, value + lipschitz * reach);
+            if (value + lipschitz * reach < least) least = value + lipschitz * reach, best = i;
         }
         std::vector<int> kept;
-        for (std::size_t i = 0; i < candidates.size(); ++i)
-            if (values_[i] <= least) kept.push_back(candidates[i]);
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+            if (!(values_[i] <= least)) continue;
+            kept.push_back(candidates[i]);
+            if (i == best)
+                std::swap(kept.front(), kept.back());  // first in the tiles below too: prunes the rest unevaluated
+        }
         return kept;
     }
 
@@ -73,35 +127,41 @@ private:
 
     void sample(const Tile& tile, const std::vector<int>& candidates) {
         const int w = std::min(leaf_tile, raster_.width - tile.x), h = std::min(leaf_tile, raster_.height - tile.y);
-        int n = 0;
         for (int j = 0; j < h; ++j) {
-            const float y = static_cast<float>(raster_.window.hi.y() - (tile.y + j + 0.5) * pixel_.y());
-            for (int i = 0; i < w; ++i, ++n) {
-                x_[static_cast<std::size_t>(n)] = static_cast<float>(raster_.window.lo.x() + (tile.x + i + 0.5) * pixel_.x());
-                y_[static_cast<std::size_t>(n)] = y;
-            }
+            std::copy_n(column_x_.begin() + tile.x, w, x_.begin() + j * w);
+            std::fill_n(y_.begin() + j * w, w,
+                        static_cast<float>(raster_.window.hi.y() - (tile.y + j + 0.5) * pixel_.y()));
         }
-        evaluate_packets(field_, candidates, x_.data(), y_.data(), n, distance_.data(), winner_.data(), isa_);
-        n = 0;
-        for (int j = 0; j < h; ++j)
-            for (int i = 0; i < w; ++i, ++n) {
-                const std::size_t to = static_cast<std::size_t>((tile.y + j) * raster_.width + tile.x + i);
-                const int solid = winner_[static_cast<std::size_t>(n)];
-                raster_.distance[to] = distance_[static_cast<std::size_t>(n)];
-                raster_.material[to] = solid < 0 ? std::int16_t{-1} : material_of(solid);
-            }
+        const int uniform = candidates.empty() ? -1 : materials_.shared_by(candidates);
+        const bool is_uniform = uniform != Materials::mixed || candidates.empty();
+        evaluate_packets(field_, candidates, x_.data(), y_.data(), w * h, distance_.data(),
+                         is_uniform ? nullptr : winner_.data(), isa_);
+        for (int j = 0; j < h; ++j) {
+            const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(tile.y + j) * raster_.width + tile.x;
+            std::copy_n(distance_.begin() + j * w, w, raster_.distance.begin() + to);
+            if (is_uniform)
+                std::fill_n(raster_.material.begin() + to, w, static_cast<std::int16_t>(uniform));
+            else
+                write_materials(j * w, w, raster_.material.begin() + to);
+        }
     }
 
-    std::int16_t material_of(int solid) const {
-        const int root = field_.solids[static_cast<std::size_t>(solid)].root;
-        return static_cast<std::int16_t>(field_.ops[static_cast<std::size_t>(root)].material);
+    void write_materials(int first, int count, std::vector<std::int16_t>::iterator to) const {
+        const double near = 2 * length(pixel_);
+        for (int n = first; n < first + count; ++n, ++to) {
+            const auto k = static_cast<std::size_t>(n);
+            const Vec2 p(static_cast<double>(x_[k]), static_cast<double>(y_[k]));
+            *to = materials_.at(winner_[k], p, static_cast<double>(distance_[k]) < near);
+        }
     }
 
     const Field& field_;
     sdf::Isa isa_;
     Raster& raster_;
+    Materials materials_;
     Vec2 pixel_;  // metres
     std::vector<double> values_;
+    std::vector<float> column_x_;
     std::array<float, leaf_tile * leaf_tile> x_, y_, distance_;
     std::array<int, leaf_tile * leaf_tile> winner_;
 };
@@ -122,19 +182,25 @@ void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf:
     std::vector<int> all;
     for (std::size_t i = 0; i < mover.field.solids.size(); ++i)
         if (mover.field.solids[i].visible) all.push_back(static_cast<int>(i));
+    const Materials materials(mover.field);
     std::array<float, leaf_tile * leaf_tile> x, y, d;
     std::array<int, leaf_tile * leaf_tile> winner;
     for (int ty = 0; ty < raster.height; ty += leaf_tile) {
         for (int tx = 0; tx < raster.width; tx += leaf_tile) {
             const int w = std::min(leaf_tile, raster.width - tx), h = std::min(leaf_tile, raster.height - ty);
-            const Vec2 centre(raster.window.lo.x() + (tx + 0.5 * w) * pixel.x(), raster.window.hi.y() - (ty + 0.5 * h) * pixel.y());
+            const Vec2 centre(raster.window.lo.x() + (tx + 0.5 * w) * pixel.x(),
+                              raster.window.hi.y() - (ty + 0.5 * h) * pixel.y());
             const float there = raster.distance[static_cast<std::size_t>((ty + h / 2) * raster.width + tx + w / 2)];
-            // Both fields change by at most `reach` from the centre to anywhere in the tile (twice, as the pixel is not the centre).
-            if (length(centre - world_from_mover.offset) - mover.lever - 2 * reach > static_cast<double>(there) + 2 * reach) continue;
+            // Both fields change by at most `reach` from the centre to anywhere in the tile (twice, as the pixel is not
+            // the centre).
+            if (length(centre - world_from_mover.offset) - mover.lever - 2 * reach >
+                static_cast<double>(there) + 2 * reach)
+                continue;
             std::size_t n = 0;
             for (int j = 0; j < h; ++j)
                 for (int i = 0; i < w; ++i, ++n) {
-                    const Vec2 world(raster.window.lo.x() + (tx + i + 0.5) * pixel.x(), raster.window.hi.y() - (ty + j + 0.5) * pixel.y());
+                    const Vec2 world(raster.window.lo.x() + (tx + i + 0.5) * pixel.x(),
+                                     raster.window.hi.y() - (ty + j + 0.5) * pixel.y());
                     const Vec2 p = mover_from_world * world;
                     x[n] = static_cast<float>(p.x());
                     y[n] = static_cast<float>(p.y());
@@ -146,8 +212,8 @@ void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf:
                     const std::size_t to = static_cast<std::size_t>((ty + j) * raster.width + tx + i);
                     if (!(d[n] < raster.distance[to])) continue;
                     raster.distance[to] = d[n];
-                    const Solid& solid = mover.field.solids[static_cast<std::size_t>(winner[n])];
-                    raster.material[to] = static_cast<std::int16_t>(mover.field.ops[static_cast<std::size_t>(solid.root)].material);
+                    const Vec2 p(static_cast<double>(x[n]), static_cast<double>(y[n]));
+                    raster.material[to] = materials.at(winner[n], p, static_cast<double>(d[n]) < 2 * length(pixel));
                 }
         }
     }

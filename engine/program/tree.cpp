@@ -19,7 +19,9 @@ Vec2 direction_before(const Similarity& m, const Vec2& d) {
 
 const double* params_of(const Field& field, const Op& op) { return field.params.data() + op.params; }
 const Op& op_at(const Field& field, int op) { return field.ops[static_cast<std::size_t>(op)]; }
-int child_of(const Field& field, const Op& op, int i) { return field.links[static_cast<std::size_t>(op.first_link + i)]; }
+int child_of(const Field& field, const Op& op, int i) {
+    return field.links[static_cast<std::size_t>(op.first_link + i)];
+}
 const Similarity& image_of(const Field& field, const Op& op, int i) {
     return field.images[static_cast<std::size_t>(op.first_image + i)];
 }
@@ -114,7 +116,8 @@ double tree_value(const Field& field, int index, const Vec2& p) {
         }
         case Form::fold: return fold_value(field, op, p);
         case Form::modify:
-            return op.kernels->modify(params_of(field, op), tree_value(field, child_of(field, op, 0), p) / op.scale) * op.scale;
+            return op.kernels->modify(params_of(field, op), tree_value(field, child_of(field, op, 0), p) / op.scale) *
+                   op.scale;
         case Form::images: return images_value(field, op, p);
     }
     assert(false && "an op has one of the four forms");

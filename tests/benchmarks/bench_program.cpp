@@ -49,11 +49,15 @@ void bench_queries(const Program& program) {
     const std::vector<Vec2> points = free_points(program, 4096);
     const auto per_point = [&](const char* what, auto&& query) {
         double sum = 0;
-        const double t = median_time(3, [&] { for (const Vec2& p : points) sum += query(p); });
+        const double t = median_time(3, [&] {
+            for (const Vec2& p : points) sum += query(p);
+        });
         fmt::print("{:<44} {:8.1f} ns   (sum {:.6g})\n", what, 1e9 * t / static_cast<double>(points.size()), sum);
     };
-    per_point("nearest_outside, reach 0.03 m", [&](const Vec2& p) { return nearest_outside(program.fixed, p, ground_layer, 0.03).distance; });
-    per_point("nearest_outside, no reach", [&](const Vec2& p) { return nearest_outside(program.fixed, p, ground_layer, infinity).distance; });
+    per_point("nearest_outside, reach 0.03 m",
+              [&](const Vec2& p) { return nearest_outside(program.fixed, p, ground_layer, 0.03).distance; });
+    per_point("nearest_outside, no reach",
+              [&](const Vec2& p) { return nearest_outside(program.fixed, p, ground_layer, infinity).distance; });
     per_point("nearest", [&](const Vec2& p) { return nearest(program.fixed, p).distance; });
     per_point("overlapping, box of 0.03 m", [&](const Vec2& p) {
         int count = 0;
@@ -67,10 +71,12 @@ void bench_raster(const Program& program, const std::string& picture) {
     for (const sdf::Isa isa : {sdf::Isa::sse2, sdf::Isa::avx2}) {
         if (isa > sdf::best_isa()) continue;
         const double t = median_time(5, [&] { rasterize(program.fixed, ground_layer, isa, raster); });
-        fmt::print("{:<44} {:8.2f} ms\n", isa == sdf::Isa::avx2 ? "raster 1024 x 1024, avx2" : "raster 1024 x 1024, sse2", 1e3 * t);
+        fmt::print("{:<44} {:8.2f} ms\n",
+                   isa == sdf::Isa::avx2 ? "raster 1024 x 1024, avx2" : "raster 1024 x 1024, sse2", 1e3 * t);
     }
     std::vector<unsigned char> rgb;
-    fmt::print("{:<44} {:8.2f} ms\n", "colorize 1024 x 1024", 1e3 * median_time(1, [&] { rgb = colorize(raster, program, RasterStyle::shaded); }));
+    fmt::print("{:<44} {:8.2f} ms\n", "colorize 1024 x 1024",
+               1e3 * median_time(1, [&] { rgb = colorize(raster, program, RasterStyle::shaded); }));
     if (picture.empty()) return;
     raster.height = 1024;
     raster.width = static_cast<int>(1024 * program.size.x() / program.size.y());
@@ -79,7 +85,8 @@ void bench_raster(const Program& program, const std::string& picture) {
         for (const Mover& mover : program.movers)
             rasterize_over(mover, Similarity{mover.cosine, mover.sine, 1, false, mover.pivot}, sdf::best_isa(), raster);
         rgb = colorize(raster, program, style);
-        const auto written = write_png(picture + (style == RasterStyle::shaded ? "_shaded.png" : "_isolines.png"), raster.width, raster.height, rgb);
+        const auto written = write_png(picture + (style == RasterStyle::shaded ? "_shaded.png" : "_isolines.png"),
+                                       raster.width, raster.height, rgb);
         if (!written) fmt::print("{}\n", written.error().message);
     }
 }
@@ -91,8 +98,11 @@ void bench(const std::string& name, Scene& scene, const std::string& picture) {
         return;
     }
     const Field& field = (*program)->fixed;
-    fmt::print("{}: {} solids, {} ops, {} pieces, {} trees\n", name, field.solids.size(), field.ops.size(), field.pieces.size(), field.tree_solids.size());
-    fmt::print("{:<44} {:8.1f} us\n", "compile", 1e6 * median_time(5, [&] { if (!compile(scene)) std::abort(); }));
+    fmt::print("{}: {} solids, {} ops, {} pieces, {} trees\n", name, field.solids.size(), field.ops.size(),
+               field.pieces.size(), field.tree_solids.size());
+    fmt::print("{:<44} {:8.1f} us\n", "compile", 1e6 * median_time(5, [&] {
+                                                     if (!compile(scene)) std::abort();
+                                                 }));
     NodeId last = scene.roots().back();
     const int at = *scene.find(last)->type->find_field("at");
     const double t = median_time(50, [&] {

@@ -1,6 +1,6 @@
-// Lowered boundaries against the tree that they came from. No sampling error enters: a boundary B is the true one when every
-// point of it separates inside from outside, and every point of a leaf's outline that does so is on it; and a distance is exact
-// when its foot is on the boundary and no boundary point is nearer.
+// Lowered boundaries against the tree that they came from. No sampling error enters: a boundary B is the true one when
+// every point of it separates inside from outside, and every point of a leaf's outline that does so is on it; and a
+// distance is exact when its foot is on the boundary and no boundary point is nearer.
 #include <catch2/catch.hpp>
 
 #include "engine/program/arrangement.h"
@@ -85,7 +85,8 @@ void check_tree(std::uint64_t seed, bool snapped, Count& count) {
                 boundary.push_back(s.at);
                 const Nearest here = nearest_of_solid(field, 0, s.at);
                 if (std::fabs(here.distance) < 1e-10 && std::fabs(length(here.gradient) - 1) < 1e-9) continue;
-                FAIL("outline point " << s.at.transpose() << " at " << here.distance << " gradient " << here.gradient.transpose());
+                FAIL("outline point " << s.at.transpose() << " at " << here.distance << " gradient "
+                                      << here.gradient.transpose());
             }
     count.boundary_points += static_cast<int>(boundary.size());
     for (int i = 0; i < solid.piece_count; ++i) {

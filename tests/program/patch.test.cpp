@@ -16,15 +16,22 @@ namespace {
 /// Another value that the field might take.
 Value nudged(const FieldType& field, const Value& value, CounterRng& random) {
     Value out = value;
-    if (auto* number = std::get_if<double>(&out)) *number += random.in(-0.2, 0.2) * (std::fabs(*number) + 0.01);
-    else if (auto* integer = std::get_if<std::int64_t>(&out)) *integer += random.uniform() < 0.5 ? 1 : -1;
-    else if (auto* flag = std::get_if<bool>(&out)) *flag = !*flag;
-    else if (auto* point = std::get_if<Vec2>(&out)) *point += Vec2(random.in(-0.01, 0.01), random.in(-0.01, 0.01));
+    if (auto* number = std::get_if<double>(&out))
+        *number += random.in(-0.2, 0.2) * (std::fabs(*number) + 0.01);
+    else if (auto* integer = std::get_if<std::int64_t>(&out))
+        *integer += random.uniform() < 0.5 ? 1 : -1;
+    else if (auto* flag = std::get_if<bool>(&out))
+        *flag = !*flag;
+    else if (auto* point = std::get_if<Vec2>(&out))
+        *point += Vec2(random.in(-0.01, 0.01), random.in(-0.01, 0.01));
     else if (auto* points = std::get_if<std::vector<Vec2>>(&out)) {
-        if (random.uniform() < 0.3) points->push_back(points->back() + Vec2(0.001, 0.002));
-        else points->front() += Vec2(random.in(-0.002, 0.002), random.in(-0.002, 0.002));
+        if (random.uniform() < 0.3)
+            points->push_back(points->back() + Vec2(0.001, 0.002));
+        else
+            points->front() += Vec2(random.in(-0.002, 0.002), random.in(-0.002, 0.002));
     } else if (field.kind == FieldKind::choice) {
-        out = std::string(field.choices[static_cast<std::size_t>(random.uniform() * static_cast<double>(field.choices.size()))]);
+        out = std::string(
+            field.choices[static_cast<std::size_t>(random.uniform() * static_cast<double>(field.choices.size()))]);
     } else if (field.kind == FieldKind::text || field.kind == FieldKind::id) {
         out = std::string(random.uniform() < 0.5 ? "rubber" : "default");
     }
@@ -81,7 +88,9 @@ TEST_CASE("a patched program equals a recompiled one, whatever field of a random
         Scene scene(catalogue());
         scene.add_material("rubber");
         const NodeId group = add(scene, "group", {}, {{"at", Vec2(0.2, 0.3)}});
-        for (int i = 0; i < 3; ++i) RandomTree(scene, seed * 7 + static_cast<std::uint64_t>(i), seed % 2 == 0).grow(i == 1 ? group : NodeId{}, i);
+        for (int i = 0; i < 3; ++i)
+            RandomTree(scene, seed * 7 + static_cast<std::uint64_t>(i), seed % 2 == 0)
+                .grow(i == 1 ? group : NodeId{}, i);
         const NodeId goo = add(scene, "smooth_union", group);
         add(scene, "circle", goo);
         add(scene, "ellipse", goo, {{"at", Vec2(0.03, 0)}});

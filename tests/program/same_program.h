@@ -12,22 +12,24 @@ inline bool same(const Vec2& a, const Vec2& b) { return same(a.x(), b.x()) && sa
 inline bool same(const Box2& a, const Box2& b) { return same(a.lo, b.lo) && same(a.hi, b.hi); }
 inline bool same(int a, int b) { return a == b; }
 inline bool same(const Similarity& a, const Similarity& b) {
-    return same(a.cosine, b.cosine) && same(a.sine, b.sine) && same(a.scale, b.scale) && a.mirrored == b.mirrored && same(a.offset, b.offset);
+    return same(a.cosine, b.cosine) && same(a.sine, b.sine) && same(a.scale, b.scale) && a.mirrored == b.mirrored &&
+           same(a.offset, b.offset);
 }
 inline bool same(const Op& a, const Op& b) {
-    return a.kernels == b.kernels && a.params == b.params && a.param_count == b.param_count && a.first_link == b.first_link &&
-           a.child_count == b.child_count && a.first_image == b.first_image && a.image_count == b.image_count &&
-           same(a.local_from_field, b.local_from_field) && same(a.scale, b.scale) && same(a.bounds, b.bounds) &&
-           a.exactness == b.exactness && a.origin == b.origin && a.material == b.material;
+    return a.kernels == b.kernels && a.params == b.params && a.param_count == b.param_count &&
+           a.first_link == b.first_link && a.child_count == b.child_count && a.first_image == b.first_image &&
+           a.image_count == b.image_count && same(a.local_from_field, b.local_from_field) && same(a.scale, b.scale) &&
+           same(a.bounds, b.bounds) && a.exactness == b.exactness && a.origin == b.origin && a.material == b.material;
 }
 inline bool same(const Solid& a, const Solid& b) {
-    return a.root == b.root && same(a.bounds, b.bounds) && a.origin == b.origin && a.part == b.part && a.layers == b.layers &&
-           a.visible == b.visible && a.lowered == b.lowered && a.first_piece == b.first_piece && a.piece_count == b.piece_count;
+    return a.root == b.root && same(a.bounds, b.bounds) && a.origin == b.origin && a.part == b.part &&
+           a.layers == b.layers && a.visible == b.visible && a.lowered == b.lowered && a.first_piece == b.first_piece &&
+           a.piece_count == b.piece_count;
 }
 inline bool same(const BoundaryPiece& a, const BoundaryPiece& b) {
     const sdf::Piece &p = a.piece, &q = b.piece;
-    return same(p.a, q.a) && same(p.b, q.b) && same(p.centre, q.centre) && same(p.radius, q.radius) && p.turn == q.turn &&
-           p.reflex == q.reflex && a.solid == b.solid && a.leaf == b.leaf && a.layers == b.layers;
+    return same(p.a, q.a) && same(p.b, q.b) && same(p.centre, q.centre) && same(p.radius, q.radius) &&
+           p.turn == q.turn && p.reflex == q.reflex && a.solid == b.solid && a.leaf == b.leaf && a.layers == b.layers;
 }
 bool same(const Mover& a, const Mover& b);
 bool same(const Sensor& a, const Sensor& b);
@@ -47,7 +49,10 @@ inline bool same_visits(const Field& a, const Field& b) {
     for (int k = 0; k < 2; ++k) {
         const Bvh& bvh = k == 0 ? a.bvh : b.bvh;
         for (const Vec2& p : {Vec2(0.1, 0.2), Vec2(-0.3, 0.7), Vec2(0.26, 0.9)})
-            bvh.nearest(p, infinity, [&](int entry) { visits[k].push_back(entry); return infinity; });
+            bvh.nearest(p, infinity, [&](int entry) {
+                visits[k].push_back(entry);
+                return infinity;
+            });
         bvh.overlapping(Box2::of({0.1, 0.1}, {0.4, 0.6}), [&](int entry) { visits[k].push_back(entry); });
     }
     return visits[0] == visits[1];
@@ -63,15 +68,18 @@ inline bool same(const Mover& a, const Mover& b) {
 inline bool same(const Sensor& a, const Sensor& b) { return same(a.field, b.field) && a.part == b.part; }
 inline bool same(const Part& a, const Part& b) {
     return a.type == b.type && a.origin == b.origin && a.name == b.name && same(a.world_from_part, b.world_from_part) &&
-           same(a.params, b.params) && a.inputs == b.inputs && a.solid == b.solid && a.mover == b.mover && a.sensor == b.sensor;
+           same(a.params, b.params) && a.inputs == b.inputs && a.solid == b.solid && a.mover == b.mover &&
+           a.sensor == b.sensor;
 }
 inline bool same(const MaterialRecord& a, const MaterialRecord& b) {
-    return a.name == b.name && same(a.restitution, b.restitution) && same(a.falloff, b.falloff) && same(a.tangential, b.tangential) &&
-           same(a.friction, b.friction) && same(a.scatter_degrees, b.scatter_degrees) && a.color == b.color;
+    return a.name == b.name && same(a.restitution, b.restitution) && same(a.falloff, b.falloff) &&
+           same(a.tangential, b.tangential) && same(a.friction, b.friction) &&
+           same(a.scatter_degrees, b.scatter_degrees) && a.color == b.color;
 }
 inline bool same(const PhysicsRecord& a, const PhysicsRecord& b) {
-    return same(a.step, b.step) && a.integrator == b.integrator && same(a.gravity, b.gravity) && same(a.ball_radius, b.ball_radius) &&
-           same(a.ball_mass, b.ball_mass) && same(a.ball_restitution, b.ball_restitution) && same(a.tolerance, b.tolerance) &&
+    return same(a.step, b.step) && a.integrator == b.integrator && same(a.gravity, b.gravity) &&
+           same(a.ball_radius, b.ball_radius) && same(a.ball_mass, b.ball_mass) &&
+           same(a.ball_restitution, b.ball_restitution) && same(a.tolerance, b.tolerance) &&
            same(a.rest_speed, b.rest_speed);
 }
 /// Empty, or the first thing that differs.

@@ -45,15 +45,16 @@ inline int first_shape(const Program& program) {
     return -1;
 }
 
-/// Random CSG trees of line-and-arc shapes. With `snapped` places, sizes and angles come from a coarse grid, so that shared edges,
-/// tangencies and identical children abound.
+/// Random CSG trees of line-and-arc shapes. With `snapped` places, sizes and angles come from a coarse grid, so that
+/// shared edges, tangencies and identical children abound.
 class RandomTree {
 public:
     RandomTree(Scene& scene, std::uint64_t seed, bool snapped) : scene_(scene), random_(seed), snapped_(snapped) {}
 
     NodeId grow(NodeId parent, int depth) {
         if (depth == 0) return leaf(parent);
-        static constexpr std::string_view operations[] = {"union", "intersection", "difference", "xor", "complement", "mirror", "repeat_polar"};
+        static constexpr std::string_view operations[] = {"union",      "intersection", "difference",  "xor",
+                                                          "complement", "mirror",       "repeat_polar"};
         const std::string_view operation = operations[pick(depth > 1 ? 7 : 5)];
         const NodeId id = add(scene_, operation, parent);
         place(id, 0.5);
@@ -86,13 +87,31 @@ private:
             case 0: id = add(scene_, "circle", parent, {{"radius", number(0.1, 0.5, 0.1)}}); break;
             case 1: {
                 const double w = number(0.2, 0.8, 0.2), h = number(0.2, 0.8, 0.2);
-                id = add(scene_, "box", parent, {{"size", Vec2(w, h)}, {"round", pick(2) ? 0.0 : 0.25 * std::min(w, h)}});
+                id = add(scene_, "box", parent,
+                         {{"size", Vec2(w, h)}, {"round", pick(2) ? 0.0 : 0.25 * std::min(w, h)}});
                 break;
             }
-            case 2: id = add(scene_, "capsule", parent, {{"length", number(0.1, 0.6, 0.1)}, {"radius", number(0.1, 0.3, 0.1)}}); break;
-            case 3: id = add(scene_, "regular_polygon", parent, {{"sides", std::int64_t{3} + pick(4)}, {"radius", number(0.2, 0.5, 0.1)}}); break;
-            case 4: id = add(scene_, "triangle", parent, {{"a", Vec2(-0.2, -0.2)}, {"b", Vec2(number(0.1, 0.4, 0.1), -0.2)}, {"c", Vec2(-0.2, number(0.1, 0.4, 0.1))}}); break;
-            default: id = add(scene_, "arc", parent, {{"radius", number(0.2, 0.4, 0.1)}, {"from", 0.0}, {"to", 90.0 * (1 + pick(4))}, {"thickness", 0.1}}); break;
+            case 2:
+                id = add(scene_, "capsule", parent,
+                         {{"length", number(0.1, 0.6, 0.1)}, {"radius", number(0.1, 0.3, 0.1)}});
+                break;
+            case 3:
+                id = add(scene_, "regular_polygon", parent,
+                         {{"sides", std::int64_t{3} + pick(4)}, {"radius", number(0.2, 0.5, 0.1)}});
+                break;
+            case 4:
+                id = add(scene_, "triangle", parent,
+                         {{"a", Vec2(-0.2, -0.2)},
+                          {"b", Vec2(number(0.1, 0.4, 0.1), -0.2)},
+                          {"c", Vec2(-0.2, number(0.1, 0.4, 0.1))}});
+                break;
+            default:
+                id = add(scene_, "arc", parent,
+                         {{"radius", number(0.2, 0.4, 0.1)},
+                          {"from", 0.0},
+                          {"to", 90.0 * (1 + pick(4))},
+                          {"thickness", 0.1}});
+                break;
         }
         place(id, 0.3);
         return id;

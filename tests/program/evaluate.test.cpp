@@ -1,0 +1,171 @@
+#include "engine/program/evaluate.h"
+
+#include <catch2/catch.hpp>
+
+#include "engine/core/trig.h"
+#include "engine/program/piece_distance.h"
+#include "engine/program/tree.h"
+#include "engine/scene/playfield.h"
+#include "tests/program/tables.h"
+
+using namespace pinfield;
+using namespace pinfield::test;
+
+namespace {
+
+Vec2 random_point(CounterRng& random, double lo, double hi) {
+    const double x = random.in(lo, hi);
+    return {x, random.in(lo, hi)};
+}
+
+}  // namespace
+
+TEST_CASE("a disc that is turned, flipped, scaled and moved is the disc that arithmetic says") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(100, 100));
+    const NodeId group =
+        add(scene, "group", {}, {{"at", Vec2(1, 2)}, {"turn", 90.0}, {"scale", 2.0}, {"flip", std::string("x")}});
+    add(scene, "circle", group, {{"radius", 0.1}, {"at", Vec2(0.3, 0.4)}});
+    const ProgramPtr program = compiled(scene);
+    // flip x: (-0.3, 0.4); scale: (-0.6, 0.8); turn: (-0.8, -0.6); at: (0.2, 1.4). Radius 0.2.
+    const Nearest n = nearest_of_solid(program->fixed, 0, {0.2, 2.4});
+    CHECK(n.distance == Approx(0.8).epsilon(1e-14));
+    CHECK(length(n.gradient - Vec2(0, 1)) < 1e-14);
+    CHECK(n.certified);
+}
+
+TEST_CASE("an L of two overlapping boxes is exact inside, where the smaller of two depths is not") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(10, 10));
+    const NodeId both = add(scene, "union");
+    add(scene, "box", both, {{"size", Vec2(4, 2)}, {"at", Vec2(4, 3)}});  // [2, 6] x [2, 4]
+    add(scene, "box", both, {{"size", Vec2(2, 4)}, {"at", Vec2(3, 4)}});  // [2, 4] x [2, 6]
+    const ProgramPtr program = compiled(scene);
+    const Nearest inner = nearest(program->fixed, {3.5, 3.5});  // the reflex corner is at (4, 4)
+    CHECK(inner.distance == Approx(-std::sqrt(0.5)).epsilon(1e-14));
+    CHECK(inner.certified);
+    CHECK(tree_value(program->fixed, program->fixed.solids[0].root, {3.5, 3.5}) == Approx(-0.5));
+    CHECK(length(inner.gradient - Vec2(std::sqrt(0.5), std::sqrt(0.5))) < 1e-14);
+}
+
+TEST_CASE("an intersected corner is a corner and not the mitre of max") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(10, 10));
+    const NodeId cut = add(scene, "intersection");
+    add(scene, "box", cut, {{"size", Vec2(2, 2)}, {"at", Vec2(4, 4)}});
+    add(scene, "box", cut, {{"size", Vec2(2, 2)}, {"at", Vec2(5, 5)}});  // leaves [4, 5] x [4, 5]
+    const ProgramPtr program = compiled(scene);
+    const Nearest n = nearest(program->fixed, {5.3, 5.4});
+    CHECK(n.distance == Approx(0.5).epsilon(1e-14));
+    CHECK(length(n.gradient - Vec2(0.6, 0.8)) < 1e-14);
+}
+
+TEST_CASE("the material on a cut face is the cutter's") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(10, 10));
+    for (const char* name : {"wood", "steel"}) scene.add_material(name);
+    const NodeId cut = add(scene, "difference", {}, {{"material", std::string("wood")}});
+    add(scene, "box", cut, {{"size", Vec2(4, 2)}, {"at", Vec2(5, 5)}});
+    const NodeId hole =
+        add(scene, "circle", cut, {{"radius", 0.5}, {"at", Vec2(5, 5)}, {"material", std::string("steel")}});
+    const ProgramPtr program = compiled(scene);
+    const auto material_at = [&](const Vec2& p) {
+        const Nearest n = nearest(program->fixed, p);
+        return program
+            ->materials[static_cast<std::size_t>(program->fixed.ops[static_cast<std::size_t>(n.leaf)].material)]
+            .name;
+    };
+    CHECK(material_at({5.2, 5}) == "steel");
+    CHECK(material_at({5.6, 5}) == "steel");  // just inside the wood, the hole's face is nearest
+    CHECK(material_at({5, 6.2}) == "wood");
+    CHECK(program->fixed.ops[static_cast<std::size_t>(nearest(program->fixed, {5.2, 5}).leaf)].origin == hole);
+}
+
+TEST_CASE("the union of a playfield is the least of its solids, and a search finds it wherever the point lies") {
+    const Scene scene = playfield(catalogue(), 100);
+    const ProgramPtr program = compiled(scene);
+    CounterRng random(4);
+    int inside = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const Vec2 p = random_point(random, -0.1, 0.8);
+        double least = infinity;
+        for (std::size_t s = 0; s < program->fixed.solids.size(); ++s)
+            least = std::min(least,
+                             tree_value(program->fixed, program->fixed.solids[s].root, p));  // all exact: lone shapes
+        const Nearest n = nearest(program->fixed, p);
+        INFO(p.transpose());
+        REQUIRE(n.distance == Approx(least).margin(1e-14));
+        REQUIRE(length(n.gradient) == Approx(1).epsilon(1e-12));
+        inside += least < 0;
+        if (least < 0) continue;
+        const Nearest outside = nearest_outside(program->fixed, p, ground_layer, 0.05);
+        if (least < 0.05)
+            REQUIRE(outside.distance == n.distance);
+        else
+            REQUIRE(outside.solid == -1);
+    }
+    CHECK(inside > 500);
+}
+
+TEST_CASE("on the outline itself the distance is zero and the gradient points out of the solid") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(10, 10));
+    add(scene, "box", {}, {{"size", Vec2(2, 2)}, {"at", Vec2(5, 5)}});
+    const ProgramPtr program = compiled(scene);
+    const Nearest side = nearest(program->fixed, {6, 5.25});
+    CHECK(side.distance == 0);
+    CHECK(side.gradient == Vec2(1, 0));
+    const Nearest corner = nearest(program->fixed, {6, 6});
+    CHECK(corner.distance == 0);
+    CHECK(length(corner.gradient) == 1);
+    CHECK(nearest(program->fixed, {0, 5}).gradient == Vec2(1, 0));  // the domain's left wall faces right
+}
+
+TEST_CASE("a piece and its reflection, its quarter turn and its reverse have the same distances bit for bit") {
+    CounterRng random(6);
+    for (int i = 0; i < 3000; ++i) {
+        const Vec2 a = random_point(random, -1, 1), b = random_point(random, -1, 1), p = random_point(random, -2, 2),
+                   c = random_point(random, -1, 1);
+        const double from = random.in(-180, 180), sweep = random.in(1, 359), r = random.in(0.1, 1);
+        const auto on = [&](double angle) { return Vec2(c + r * Vec2(cosine_degrees(angle), sine_degrees(angle))); };
+        const sdf::Piece pieces[] = {sdf::Piece::segment(a, b),
+                                     sdf::Piece::arc(c, r, on(from), on(from + sweep), 1, sweep > 180)};
+        for (const sdf::Piece& piece : pieces) {
+            Vec2 foot;
+            const double d = distance_to_piece(piece, p, foot);
+            const auto map = [](const sdf::Piece& q, auto&& f, bool reverses) {
+                sdf::Piece out = q;
+                out.a = f(reverses ? q.b : q.a);
+                out.b = f(reverses ? q.a : q.b);
+                out.centre = f(q.centre);
+                return out;
+            };
+            const auto mirror = [](const Vec2& v) { return Vec2(-v.x(), v.y()); };
+            const auto quarter = [](const Vec2& v) { return Vec2(-v.y(), v.x()); };
+            Vec2 other;
+            REQUIRE(distance_to_piece(map(piece, mirror, true), mirror(p), other) == d);
+            REQUIRE(other == mirror(foot));
+            REQUIRE(distance_to_piece(map(piece, quarter, false), quarter(p), other) == d);
+            REQUIRE(other == quarter(foot));
+            sdf::Piece reverse = piece;
+            std::swap(reverse.a, reverse.b);
+            reverse.turn = -piece.turn;
+            REQUIRE(distance_to_piece(reverse, p, other) == d);
+            REQUIRE(std::fabs(squared_distance_to_piece(piece, p) - d * d) < 1e-14);
+        }
+    }
+}
+
+TEST_CASE("a blend is certified where the foot shows that its value is the distance") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(10, 10));
+    const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.05}});
+    add(scene, "circle", goo, {{"radius", 0.5}, {"at", Vec2(4, 5)}});
+    add(scene, "circle", goo, {{"radius", 0.5}, {"at", Vec2(4.9, 5)}});
+    const ProgramPtr program = compiled(scene);
+    const Nearest far = nearest_of_solid(program->fixed, 0, {3.2, 5});  // left of the left disc, where nothing blends
+    CHECK(far.certified);
+    CHECK(far.distance == Approx(0.3));
+    const Nearest between = nearest_of_solid(program->fixed, 0, {4.45, 7});
+    CHECK_FALSE(between.certified);
+}

@@ -1,0 +1,90 @@
+#include "engine/program/raster.h"
+
+#include <catch2/catch.hpp>
+
+#include "engine/program/evaluate.h"
+#include "engine/program/tree.h"
+#include "engine/scene/playfield.h"
+#include "tests/program/tables.h"
+
+using namespace pinfield;
+using namespace pinfield::test;
+
+namespace {
+
+Vec2 pixel_centre(const Raster& r, int x, int y) {
+    const Vec2 pixel = r.window.size().cwiseQuotient(Vec2(r.width, r.height));
+    return {r.window.lo.x() + (x + 0.5) * pixel.x(), r.window.hi.y() - (y + 0.5) * pixel.y()};
+}
+
+double least_tree_value(const Field& field, const Vec2& p) {
+    double least = infinity;
+    for (const Solid& solid : field.solids) least = std::min(least, tree_value(field, solid.root, p));
+    return least;
+}
+
+}  // namespace
+
+TEST_CASE("every pixel of a raster is the union's value there, for each instruction set") {
+    Scene scene = playfield(catalogue(), 80);
+    RandomTree(scene, 5, false).grow({}, 3);
+    const ProgramPtr program = compiled(scene);
+    for (const sdf::Isa isa : {sdf::Isa::sse2, sdf::Isa::avx2}) {
+        if (isa > sdf::best_isa()) continue;
+        Raster raster{203, 157, Box2::of({-0.1, -0.2}, {0.6, 0.9}), {}, {}};  // not a multiple of a tile
+        rasterize(program->fixed, ground_layer, isa, raster);
+        double worst = 0;
+        for (int y = 0; y < raster.height; ++y)
+            for (int x = 0; x < raster.width; ++x) {
+                const double truth = least_tree_value(program->fixed, pixel_centre(raster, x, y));
+                worst = std::max(
+                    worst, std::fabs(truth - static_cast<double>(
+                                                 raster.distance[static_cast<std::size_t>(y * raster.width + x)])));
+            }
+        CHECK(worst < 2e-6);
+    }
+}
+
+TEST_CASE("a pixel in a solid shows the material of the leaf that it belongs to") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(1, 1));
+    for (const char* name : {"wood", "steel"}) scene.add_material(name);
+    const NodeId both = add(scene, "union", {}, {{"material", std::string("wood")}});
+    add(scene, "box", both, {{"size", Vec2(0.2, 0.2)}, {"at", Vec2(0.3, 0.5)}});
+    add(scene, "box", both, {{"size", Vec2(0.2, 0.2)}, {"at", Vec2(0.7, 0.5)}, {"material", std::string("steel")}});
+    const ProgramPtr program = compiled(scene);
+    Raster raster{100, 100, Box2::of({0, 0}, {1, 1}), {}, {}};
+    rasterize(program->fixed, ground_layer, sdf::best_isa(), raster);
+    CHECK(raster.material[50 * 100 + 30] == 1);
+    CHECK(raster.material[50 * 100 + 70] == 2);
+}
+
+TEST_CASE("a mover is laid over the static field where it is") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(1, 1));
+    add(scene, "flipper", {}, {{"at", Vec2(0.5, 0.5)}});
+    const ProgramPtr program = compiled(scene);
+    Raster raster{200, 200, Box2::of({0, 0}, {1, 1}), {}, {}};
+    rasterize(program->fixed, ground_layer, sdf::best_isa(), raster);
+    const Mover& mover = program->movers[0];
+    const Similarity world_from_mover{0, 1, 1, false, mover.pivot};  // a quarter turn: the bat points up
+    rasterize_over(mover, world_from_mover, sdf::best_isa(), raster);
+    for (int y = 0; y < 200; y += 3)
+        for (int x = 0; x < 200; x += 3) {
+            const Vec2 p = pixel_centre(raster, x, y);
+            const double truth = std::min(least_tree_value(program->fixed, p),
+                                          least_tree_value(mover.field, world_from_mover.inverse() * p));
+            REQUIRE(static_cast<double>(raster.distance[static_cast<std::size_t>(y * 200 + x)]) ==
+                    Approx(truth).margin(2e-6));
+        }
+}
+
+TEST_CASE("a window without solids is empty and still has a colour") {
+    Program program;
+    program.materials.emplace_back();
+    Raster raster{20, 10, Box2::of({0, 0}, {0.2, 0.1}), {}, {}};
+    rasterize(program.fixed, ground_layer, sdf::best_isa(), raster);
+    CHECK(raster.material[0] == -1);
+    CHECK(colorize(raster, program, RasterStyle::shaded).size() == 600);
+    CHECK(colorize(raster, program, RasterStyle::isolines).size() == 600);
+}
