@@ -7,8 +7,7 @@ namespace pinfield {
 namespace {
 
 constexpr int most_evaluations = 64;
-// Sides and arcs count as a little longer than they are, so that no ball slips between two pieces that join smoothly.
-constexpr double overlap = 1e-8;  // of the ball's radius
+constexpr double overlap = 1e-8;  // of two pieces that join smoothly, so that no ball slips between them; in ball radii
 constexpr double smooth_join = 1e-9;
 
 Vec2 start_tangent(const SweepPiece& p) {
@@ -45,13 +44,51 @@ SweepPiece prepared(const BoundaryPiece& boundary) {
     return p;
 }
 
-/// Does the ray from the arc's centre along x meet the arc, give or take `slack` radians?
-bool in_sector(const SweepPiece& p, const Vec2& x, double slack) {
+/// Does the ray from the arc's centre along x meet the arc?
+bool in_sector(const SweepPiece& p, const Vec2& x) {
     if (p.full) return true;
     const Vec2 first = (p.turn > 0 ? p.a : p.b) - p.centre, last = (p.turn > 0 ? p.b : p.a) - p.centre;
-    const double margin = slack * p.radius * length(x);
-    if (p.reflex) return !(cross(last, x) > margin && cross(x, first) > margin);
-    return cross(first, x) >= -margin && cross(x, last) >= -margin;
+    if (p.reflex) return !(cross(last, x) > 0 && cross(x, first) > 0);
+    return cross(first, x) >= 0 && cross(x, last) >= 0;
+}
+
+/// The times between which a path runs beside a piece or off its ends, in order.
+struct Splits {
+    double time[8] = {0};
+    int count = 1;
+
+    /// Adds the sign changes of value + rate t + curvature t^2 / 2 within (0, duration).
+    void add_roots(double value, double rate, double curvature, double duration) {
+        const double discriminant = rate * rate - 2 * curvature * value;
+        if (!(discriminant >= 0)) return;
+        const double q = -(rate + (rate < 0 ? -std::sqrt(discriminant) : std::sqrt(discriminant)));
+        if (curvature != 0) add(q / curvature, duration);
+        if (q != 0) add(2 * value / q, duration);
+    }
+    void finish(double duration) {
+        std::sort(time + 1, time + count);
+        time[count] = duration;
+    }
+
+private:
+    void add(double t, double duration) {
+        if (t > 0 && t < duration) time[count++] = t;
+    }
+};
+
+/// The first hit of `sweep(path from, duration)` over the stretches in which `valid(t)` holds. Each is taken a hair longer than
+/// it is: a ball that follows a wall in contact must be seen by the next piece from the first instant on, not when it is in it.
+template <class Valid, class Sweep>
+PieceHit over_stretches(const Splits& splits, const Motion& path, double duration, double radius, const Valid& valid, const Sweep& sweep) {
+    const double speed = path.top_speed(duration), hair = speed > 0 ? overlap * radius / speed : 0.0;
+    for (int k = 0; k < splits.count; ++k) {
+        if (!valid(0.5 * (splits.time[k] + splits.time[k + 1]))) continue;
+        const double from = std::max(0.0, splits.time[k] - hair), to = std::min(duration, splits.time[k + 1] + hair);
+        PieceHit hit = sweep(from == 0 ? path : path.from(from), to - from);
+        hit.time += from;
+        if (hit.time < infinity) return hit;
+    }
+    return {};
 }
 
 /// The centre x(t) of a ball, relative to a fixed point, against a circle of radius `reach` about that point:
@@ -65,27 +102,27 @@ struct RoundGap {
         return sign * (dot(x, x) - reach * reach);
     }
     double slope(double t) const { return 2 * sign * dot(path.at(t), path.velocity_at(t)); }
-    /// Smallest value of `side` g'' on [t, end]: |x|^2 is a quartic, its second derivative a convex quadratic.
-    double least_curvature(double t, double end, double side) const {
+    /// Smallest value of g'' on [t, end]: |x|^2 is a quartic, its second derivative a convex quadratic.
+    double least_curvature(double t, double end) const {
         const Vec2& v = path.velocity;
         const Vec2& a = path.acceleration;
         const double aa = dot(a, a), va = dot(v, a);
         const auto second = [&](double s) { return 2 * (dot(v, v) + dot(path.position, a) + 3 * va * s + 1.5 * aa * s * s); };
         const double first = second(t), last = second(end);
-        if (sign * side < 0) return -std::max(first, last);
+        if (sign < 0) return -std::max(first, last);
         const double lowest = aa > 0 ? -va / aa : t;
         return lowest > t && lowest < end ? second(lowest) : std::min(first, last);
     }
-    /// First time from t on at which side * g has fallen to `accepted`; certified never to be late. When it starts there
-    /// and rises, the time of its return. Infinity when not before `end`.
-    double falls(double t, double end, double side, double accepted, bool leaving, int& evaluations, bool& capped) const {
-        double gap = side * value(t);
+    /// First time at which g has fallen to `accepted`; certified never to be late. When it starts there and `leaving`, the
+    /// time of its return. Infinity when not before `end`.
+    double falls(double end, double accepted, bool leaving, int& evaluations, bool& capped) const {
+        double t = 0, gap = value(0);
         for (int i = 0; i < most_evaluations; ++i) {
-            const double rate = side * slope(t);
-            if (gap <= accepted && !(leaving && i == 0 && rate > 0)) return t;
-            t += first_zero(std::max(gap, 0.0), rate, least_curvature(t, end, side));
+            const double rate = slope(t);
+            if (gap <= accepted && !(leaving && i == 0)) return t;
+            t += first_zero(std::max(gap, 0.0), rate, least_curvature(t, end));
             if (!(t <= end)) return infinity;
-            gap = side * value(t);
+            gap = value(t);
             ++evaluations;
         }
         capped = true;
@@ -93,98 +130,76 @@ struct RoundGap {
     }
 };
 
-/// The ball against a circle of radius `round` (0: a corner), from outside (sign +1) or from inside (-1), where `valid(t)`
-/// says whether the part of the circle that is met at t is really there.
-template <class Valid>
+/// The ball against a circle of radius `round` about the origin (0: a corner), from outside (sign +1) or from inside (-1).
 PieceHit sweep_round(const Motion& path, double round, double sign, double duration, double radius, const ContactBand& band,
-                     const Valid& valid, int& evaluations) {
+                     int& evaluations) {
     PieceHit hit;
     const double far = length(path.position), gap = sign * (far - round) - radius;
-    if (gap > band.touching() && gap > path.travel(duration) + band.tolerance) return hit;
+    if (gap < -0.5 * radius) return hit;  // the centre is near the circle or behind it: not where a ball can be
+    if (gap > path.travel(duration) + band.tolerance) return hit;
     const double rate = sign * dot(path.position, path.velocity);
-    const bool touching = gap <= band.touching() && (gap > -band.tolerance || (gap > -0.5 * radius && valid(0)));
-    double level = band.target();
-    if (touching) level = rate > 0 ? std::min(level, gap) : band.floor_below(gap);
-    const auto circle = [&](double clearance) { return RoundGap{path, round + sign * (radius + clearance), sign}; };
-    RoundGap g = circle(level);
+    const bool touching = gap <= band.touching(), creeping = touching && rate <= 0;
+    const double level = creeping ? band.floor_below(gap) : touching ? std::min(band.target(), gap) : band.target();
+    const RoundGap g{path, round + sign * (radius + level), sign};
     if (g.reach <= 0) return hit;
     ++evaluations;
-
-    double t = 0;
-    const auto accepted = [&] { return 2 * g.reach * band.accepted(); };
-    if (gap < 0 && !touching) {  // beyond the circle, where it is open: first wait until the ball is clear again
-        t = g.falls(0, duration, -1, accepted(), false, evaluations, hit.capped);
-        if (!(t <= duration) || hit.capped) { hit.time = hit.capped ? t : infinity; return hit; }
-    }
-    const int most_passes = path.is_straight() && sign > 0 ? 1 : 3;
-    for (int pass = 0; pass < most_passes; ++pass) {
-        const bool creeping = touching && pass == 0 && rate <= 0;
-        t = g.falls(t, duration, 1, creeping ? 0 : accepted(), pass > 0 || (touching && rate > 0) || gap < 0, evaluations, hit.capped);
-        if (!(t <= duration)) return hit;
-        if (hit.capped || valid(t)) {
-            if (creeping && !hit.capped && valid(0)) t = 0;
-            hit.time = t;
-            return hit;
-        }
-        if (pass + 1 == most_passes) break;
-        g = circle(band.target());
-        t = g.falls(t, duration, -1, accepted(), true, evaluations, hit.capped);
-        if (hit.capped) hit.time = t;
-        if (!(t <= duration) || hit.capped) return hit;
-    }
+    const double t = g.falls(duration, creeping ? 0.0 : 2 * g.reach * band.accepted(), touching && rate > 0, evaluations, hit.capped);
+    if (!(t <= duration)) return hit;
+    hit.time = creeping && !hit.capped ? 0.0 : t;
+    const Vec2 x = path.at(hit.time);
+    hit.normal = x * (sign / length(x));
     return hit;
 }
 
 PieceHit sweep_corner(const Vec2& corner, const Motion& motion, double duration, double radius, const ContactBand& band,
                       int& evaluations) {
-    const Motion path{motion.position - corner, motion.velocity, motion.acceleration};
-    PieceHit hit = sweep_round(path, 0, 1, duration, radius, band, [](double) { return true; }, evaluations);
-    if (hit.time <= duration) {
-        const Vec2 x = path.at(hit.time);
-        hit.normal = x / length(x);
-    }
-    return hit;
+    return sweep_round({motion.position - corner, motion.velocity, motion.acceleration}, 0, 1, duration, radius, band, evaluations);
 }
 
 PieceHit sweep_arc(const SweepPiece& p, const Motion& motion, double duration, double radius, const ContactBand& band,
                    int& evaluations) {
     const Motion path{motion.position - p.centre, motion.velocity, motion.acceleration};
-    const double sign = p.turn > 0 ? 1 : -1, slack = overlap * radius / p.radius;
-    PieceHit hit = sweep_round(path, p.radius, sign, duration, radius, band,
-                               [&](double t) { return in_sector(p, path.at(t), slack); }, evaluations);
-    if (hit.time <= duration) {
-        const Vec2 x = path.at(hit.time);
-        hit.normal = x * (sign / length(x));
+    const double sign = p.turn > 0 ? 1 : -1;
+    if (p.full) return sweep_round(path, p.radius, sign, duration, radius, band, evaluations);
+    if (sign * (length(path.position) - p.radius) - radius > path.travel(duration) + band.tolerance) return {};
+    Splits splits;
+    for (const Vec2& end : {Vec2(p.a - p.centre), Vec2(p.b - p.centre)})
+        splits.add_roots(cross(end, path.position), cross(end, path.velocity), cross(end, path.acceleration), duration);
+    splits.finish(duration);
+    return over_stretches(splits, path, duration, radius, [&](double t) { return in_sector(p, path.at(t)); },
+                          [&](const Motion& stretch, double lasts) { return sweep_round(stretch, p.radius, sign, lasts, radius, band, evaluations); });
+}
+
+/// The ball against the line through a side, wherever along it.
+PieceHit sweep_line(const SweepPiece& p, const Motion& motion, double duration, double radius, const ContactBand& band) {
+    const double height = dot(p.normal, motion.position - p.a), gap = height - radius;
+    if (gap < -0.5 * radius) return {};
+    const double rate = dot(p.normal, motion.velocity), curvature = dot(p.normal, motion.acceleration);
+    double t = infinity;
+    if (gap > band.touching() || rate > 0) {
+        t = first_zero(std::max(0.0, gap - band.target()), rate, curvature);
+    } else {
+        t = first_zero(gap - band.floor_below(gap), rate, curvature) <= duration ? 0 : infinity;
     }
-    return hit;
+    return t <= duration ? PieceHit{t, p.normal, false} : PieceHit{};
 }
 
 PieceHit sweep_side(const SweepPiece& p, const Motion& motion, double duration, double radius, const ContactBand& band,
                     int& evaluations) {
-    PieceHit hit;
     const Vec2 from_a = motion.position - p.a;
-    const double height = dot(p.normal, from_a), gap = height - radius;
-    if (height <= 0) return hit;
-    const double rate = dot(p.normal, motion.velocity), curvature = dot(p.normal, motion.acceleration);
+    if (dot(p.normal, from_a) - radius > motion.travel(duration) + band.tolerance) return {};
     ++evaluations;
-    const double slack = overlap * radius;
+    const double u = dot(p.along, from_a), rate = dot(p.along, motion.velocity), curvature = dot(p.along, motion.acceleration);
+    Splits splits;
+    splits.add_roots(u, rate, curvature, duration);
+    splits.add_roots(u - p.length, rate, curvature, duration);
+    splits.finish(duration);
     const auto beside = [&](double t) {
-        const double u = dot(p.along, motion.at(t) - p.a);
-        return u >= -slack && u <= p.length + slack;
+        const double at = dot(p.along, motion.at(t) - p.a);
+        return at >= 0 && at <= p.length;
     };
-    double t = infinity;
-    if (gap > band.touching()) {
-        t = first_zero(gap - band.target(), rate, curvature);
-    } else if (rate > 0) {
-        t = first_zero(std::max(0.0, gap - band.target()), rate, curvature);
-    } else {
-        t = first_zero(gap - band.floor_below(gap), rate, curvature);
-        if (t <= duration && beside(0)) t = 0;
-    }
-    if (!(t <= duration) || !beside(t)) return hit;
-    hit.time = t;
-    hit.normal = p.normal;
-    return hit;
+    return over_stretches(splits, motion, duration, radius, beside,
+                          [&](const Motion& stretch, double lasts) { return sweep_line(p, stretch, lasts, radius, band); });
 }
 
 }  // namespace
@@ -223,7 +238,7 @@ Foot nearest_on(const SweepPiece& p, const Vec2& point) {
     } else {
         const Vec2 x = point - p.centre;
         const double far = length(x);
-        if (far > 0 && in_sector(p, x, 0)) {
+        if (far > 0 && in_sector(p, x)) {
             const bool beyond = far > p.radius;
             return {std::abs(far - p.radius), x * ((beyond ? 1 : -1) / far), p.turn < 0 && !beyond ? p.radius : 0,
                     beyond == (p.turn > 0)};

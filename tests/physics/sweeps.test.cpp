@@ -204,3 +204,20 @@ TEST_CASE("the sweep against a turning bat never misses what dense sampling find
     CHECK(overlaps == 0);
     CHECK(stats.capped == 0);
 }
+
+TEST_CASE("a ball that follows a wall in contact stays outside where the wall bends into a hollow") {
+    // Walls that join smoothly: the next piece must be met at the join, not one tick into it.
+    for (const double speed : {0.5, 1.8, 10.0, 100.0})
+        for (const std::string integrator : {"ballistic", "symplectic_euler"}) {
+            INFO(speed << " m/s, " << integrator);
+            World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 6.5}\nphysics: {integrator: " + integrator +
+                                   "}\nmaterials: {default: {restitution: 0.3, falloff: 0.3}}\nscene:\n"
+                                   "  - domain: {children: [box: {size: [1, 1], round: 0.25, at: [0.5, 0.5]}]}\n"));
+            const double away[] = {1e-9, 2e-8, 6e-8, 9e-8};
+            for (int i = 0; i < 4; ++i) world.add_ball({1 - r - away[i], 0.5 + 0.01 * i}, {0, speed});
+            for (int i = 0; i < 400; ++i) {
+                world.step();
+                for (const Ball& ball : world.balls()) REQUIRE(gap_at(world, ball.position).distance - r > -1e-12);
+            }
+        }
+}
