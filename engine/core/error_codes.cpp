@@ -39,7 +39,8 @@ constexpr std::array codes{
     ErrorCode{"E0207", "missing_field", "a field that has no default is missing"},
     ErrorCode{"E0208", "out_of_range", "the value lies outside its range"},
     ErrorCode{"E0209", "broken_contract", "the node's values contradict each other"},
-    ErrorCode{"E0210", "malformed_number", "a number is written in a way that means different things to different people"},
+    ErrorCode{"E0210", "malformed_number",
+              "a number is written in a way that means different things to different people"},
     ErrorCode{"E0211", "not_finite", "a number is infinite or not a number"},
     ErrorCode{"E0212", "unknown_unit", "no such unit"},
     ErrorCode{"E0213", "wrong_dimension", "the unit measures something else"},
@@ -76,7 +77,8 @@ constexpr std::array codes{
     ErrorCode{"E0601", "unknown_step", "no such step in an editor script"},
 };
 
-static_assert(codes.size() == static_cast<std::size_t>(Code::unknown_step) + 1, "one entry per code, in the order of Code");
+static_assert(codes.size() == static_cast<std::size_t>(Code::unknown_step) + 1,
+              "one entry per code, in the order of Code");
 
 }  // namespace
 

@@ -1,4 +1,5 @@
-// Every code a diagnostic may carry: what people search for, what scenes/invalid/ names, what never changes its meaning.
+// Every code a diagnostic may carry: what people search for, what scenes/invalid/ names, what never changes its
+// meaning.
 #pragma once
 #include <span>
 #include <string>

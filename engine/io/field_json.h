@@ -17,7 +17,8 @@ Json value_json(const Value& value) {
     if (const bool* flag = std::get_if<bool>(&value)) return *flag;
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return *integer;
     if (const double* number = std::get_if<double>(&value)) return number_json<Json>(*number);
-    if (const Vec2* pair = std::get_if<Vec2>(&value)) return Json::array({number_json<Json>(pair->x()), number_json<Json>(pair->y())});
+    if (const Vec2* pair = std::get_if<Vec2>(&value))
+        return Json::array({number_json<Json>(pair->x()), number_json<Json>(pair->y())});
     if (const auto* text = std::get_if<std::string>(&value)) return *text;
     Json list = Json::array();
     if (const auto* names = std::get_if<std::vector<std::string>>(&value))

@@ -56,7 +56,8 @@ fs::path real_target(const std::string& path) {
     return error ? fs::path(path) : target;
 }
 
-/// Makes a rename survive a power cut. Not every file system lets a folder be synced; the file's own content is safe by then.
+/// Makes a rename survive a power cut. Not every file system lets a folder be synced; the file's own content is safe by
+/// then.
 void sync_folder(const fs::path& folder) {
     const Descriptor descriptor(::open(folder.empty() ? "." : folder.c_str(), O_RDONLY));
     if (descriptor) ::fsync(descriptor.number());
@@ -107,7 +108,8 @@ Result<bool> write_file(const std::string& path, const std::string& content) {
     const fs::path target = real_target(path);
     struct stat status {};
     const bool exists = ::stat(target.c_str(), &status) == 0;
-    if (exists && !S_ISREG(status.st_mode)) return failure(fmt::format("cannot write {}: it is no ordinary file", path));
+    if (exists && !S_ISREG(status.st_mode))
+        return failure(fmt::format("cannot write {}: it is no ordinary file", path));
     const mode_t mode = exists ? status.st_mode & 07777 : 0666;
     const fs::path temporary = target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), ::getpid());
     ::unlink(temporary.c_str());  // left by a process of this number that was killed
@@ -122,7 +124,8 @@ Result<bool> write_file(const std::string& path, const std::string& content) {
     return true;
 }
 
-Result<bool> save_file(const std::string& path, const std::string& content, const std::optional<std::string>& expected) {
+Result<bool> save_file(const std::string& path, const std::string& content,
+                       const std::optional<std::string>& expected) {
     std::error_code error;
     const bool exists = fs::exists(path, error);
     if (exists && !expected) return failure(fmt::format("{} exists already", path));

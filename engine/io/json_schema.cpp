@@ -56,10 +56,12 @@ Json kind_schema(const FieldType& field) {
         }
         case FieldKind::number: return number_schema(field.meta);
         case FieldKind::vec2: return pair_schema(field.meta);
-        case FieldKind::points: return {{"type", "array"}, {"items", pair_schema(field.meta)}, {"maxItems", Limits{}.points}};
+        case FieldKind::points:
+            return {{"type", "array"}, {"items", pair_schema(field.meta)}, {"maxItems", Limits{}.points}};
         case FieldKind::choice: return {{"enum", field.choices}};
         case FieldKind::text: return {{"type", {"string", "number", "boolean"}}};
-        case FieldKind::color: return {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};
+        case FieldKind::color:
+            return {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};
         case FieldKind::id: return {{"type", "string"}, {"pattern", name_pattern}};
         case FieldKind::names: return reference("names");
     }
@@ -75,7 +77,9 @@ Json field_schema(const FieldType& field) {
 }
 
 /// Which list of nodes a type's children come from.
-std::string child_definition(const NodeType& type) { return type.part && type.part->role == Role::group ? "scene_node" : "shape_node"; }
+std::string child_definition(const NodeType& type) {
+    return type.part && type.part->role == Role::group ? "scene_node" : "shape_node";
+}
 
 Json type_schema(const NodeType& type) {
     Json properties = Json::object(), required = Json::array();
@@ -90,7 +94,10 @@ Json type_schema(const NodeType& type) {
         properties["children"] = list;
         if (children.min > 0) required.push_back("children");
     }
-    Json out{{"description", type.meta.doc}, {"type", required.empty() ? Json::array({"object", "null"}) : Json("object")}, {"additionalProperties", false}, {"properties", properties}};
+    Json out{{"description", type.meta.doc},
+             {"type", required.empty() ? Json::array({"object", "null"}) : Json("object")},
+             {"additionalProperties", false},
+             {"properties", properties}};
     if (!required.empty()) out["required"] = required;
     return out;
 }
@@ -103,7 +110,11 @@ Json one_key_node(const Catalogue& catalogue, bool with_parts) {
         if (kind == NodeKind::shape || kind == NodeKind::operation || (with_parts && kind == NodeKind::part))
             properties[std::string(type.key())] = reference(std::string(type.key()));
     }
-    return {{"type", "object"}, {"minProperties", 1}, {"maxProperties", 1}, {"additionalProperties", false}, {"properties", properties}};
+    return {{"type", "object"},
+            {"minProperties", 1},
+            {"maxProperties", 1},
+            {"additionalProperties", false},
+            {"properties", properties}};
 }
 
 Json one_or_list(const Json& item) { return {{"anyOf", {item, {{"type", "array"}, {"items", item}}}}}; }
@@ -117,10 +128,12 @@ FieldMeta unit_meta(Unit unit) {
 Json test_schema() {
     FieldMeta run = unit_meta(Unit::second);
     run.min = above(0);
-    const Json launch{{"type", "object"},
-                      {"additionalProperties", false},
-                      {"required", {"at"}},
-                      {"properties", {{"at", pair_schema(unit_meta(Unit::metre))}, {"velocity", pair_schema(unit_meta(Unit::metre_per_second))}}}};
+    const Json launch{
+        {"type", "object"},
+        {"additionalProperties", false},
+        {"required", {"at"}},
+        {"properties",
+         {{"at", pair_schema(unit_meta(Unit::metre))}, {"velocity", pair_schema(unit_meta(Unit::metre_per_second))}}}};
     return {{"type", "object"},
             {"additionalProperties", false},
             {"required", {"expect"}},
@@ -132,7 +145,8 @@ Json test_schema() {
 }
 
 Json named_map(const Json& value) {
-    return {{"type", {"object", "null"}}, {"propertyNames", {{"pattern", name_pattern}}}, {"additionalProperties", value}};
+    return {
+        {"type", {"object", "null"}}, {"propertyNames", {{"pattern", name_pattern}}}, {"additionalProperties", value}};
 }
 
 }  // namespace

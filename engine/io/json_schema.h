@@ -6,8 +6,8 @@
 
 namespace pinfield {
 
-/// Draft-07. Whatever the reader accepts is valid, but for the spellings only YAML has; what needs more than one value to judge
-/// (contracts, references, ranges of numbers with a unit) is left to the reader.
+/// Draft-07. Whatever the reader accepts is valid, but for the spellings only YAML has; what needs more than one value
+/// to judge (contracts, references, ranges of numbers with a unit) is left to the reader.
 std::string json_schema(const Catalogue& catalogue);
 
 }  // namespace pinfield

@@ -4,15 +4,18 @@
 
 namespace pinfield {
 
-Result<LoadedTable> load_table(const std::string& path, std::shared_ptr<const Catalogue> catalogue, const Limits& limits) {
+Result<LoadedTable> load_table(const std::string& path, std::shared_ptr<const Catalogue> catalogue,
+                               const Limits& limits) {
     Result<FileStart> start = read_file_start(path, limits.file_bytes);
     if (!start) return tl::unexpected<Failure>(start.error());
     if (!start->whole) {
         ReadResult result{std::make_shared<const SourceText>(path, ""), Scene(std::move(catalogue)), {}};
-        result.diagnostics.push_back(diagnose(Code::file_too_large, {0, 0}, "the file is larger than " + std::to_string(limits.file_bytes) + " bytes"));
+        result.diagnostics.push_back(diagnose(
+            Code::file_too_large, {0, 0}, "the file is larger than " + std::to_string(limits.file_bytes) + " bytes"));
         return result;
     }
-    return read_table(std::make_shared<const SourceText>(path, std::move(start->content)), std::move(catalogue), limits);
+    return read_table(std::make_shared<const SourceText>(path, std::move(start->content)), std::move(catalogue),
+                      limits);
 }
 
 }  // namespace pinfield

@@ -41,7 +41,8 @@ bool takes(const NodeType& type, std::string_view key) {
 /// Keys of scene nodes that the format has and the reader has not yet.
 bool report_unsupported(ReadContext& context, const NodeType& type, const YamlNode& key) {
     if (type.meta.kind == NodeKind::record) return false;
-    if (key.text == "copies") return context.report(Code::copies_unsupported, key.span, "copies are not supported yet"), true;
+    if (key.text == "copies")
+        return context.report(Code::copies_unsupported, key.span, "copies are not supported yet"), true;
     if (key.text == "pair") return context.report(Code::pair_unsupported, key.span, "pair is not supported yet"), true;
     return false;
 }
@@ -57,7 +58,8 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
     const FieldType& field = node.type->fields[static_cast<std::size_t>(index)];
     if (node.type->meta.kind == NodeKind::operation && repeats_too_often(context, field, value))
-        return context.report(Code::too_many_repeats, value.span, fmt::format("more than {} copies", context.limits.repeats));
+        return context.report(Code::too_many_repeats, value.span,
+                              fmt::format("more than {} copies", context.limits.repeats));
     const auto read = read_value(context, field, value);
     if (read) node.fields[static_cast<std::size_t>(index)] = {*read, true, value.span};
 }
@@ -70,10 +72,12 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
     if (list) read_nodes(context, scene, node.id, *list);
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
     if (count >= allowed.min && count <= allowed.max && (allowed.max > 0 || !list)) return;
-    const std::string wanted = allowed.max == 0               ? "no children"
-                               : allowed.min == allowed.max    ? fmt::format("exactly {} {}", allowed.min, allowed.min == 1 ? "child" : "children")
-                               : allowed.max == any_number     ? fmt::format("at least {} {}", allowed.min, allowed.min == 1 ? "child" : "children")
-                                                               : fmt::format("{} to {} children", allowed.min, allowed.max);
+    const std::string wanted = allowed.max == 0 ? "no children"
+                               : allowed.min == allowed.max
+                                   ? fmt::format("exactly {} {}", allowed.min, allowed.min == 1 ? "child" : "children")
+                               : allowed.max == any_number
+                                   ? fmt::format("at least {} {}", allowed.min, allowed.min == 1 ? "child" : "children")
+                                   : fmt::format("{} to {} children", allowed.min, allowed.max);
     context.report(Code::child_count, key.span, fmt::format("{} takes {}; it has {}", type.key(), wanted, count));
 }
 
@@ -81,18 +85,25 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
 void report_no_node(ReadContext& context, const YamlNode& item) {
     if (item.kind == YamlKind::scalar) {
         if (find_node_type(context.catalogue, item.text))
-            return context.report(Code::wrong_shape, item.span, fmt::format("{} alone is a text, not a node", item.text), fmt::format("write {}: {{}}", item.text));
+            return context.report(Code::wrong_shape, item.span,
+                                  fmt::format("{} alone is a text, not a node", item.text),
+                                  fmt::format("write {}: {{}}", item.text));
         return context.report(Code::wrong_shape, item.span, "a node is due here, not a single value");
     }
-    if (item.kind != YamlKind::map) return context.report(Code::wrong_shape, item.span, "a node is due here", "a node is a map with one key: circle: {radius: 3cm}");
+    if (item.kind != YamlKind::map)
+        return context.report(Code::wrong_shape, item.span, "a node is due here",
+                              "a node is a map with one key: circle: {radius: 3cm}");
     if (item.entries() == 0) return context.report(Code::not_one_key, item.span, "a node without a type");
     const NodeType* type = find_node_type(context.catalogue, item.key(0).text);
     const YamlNode& second = item.key(1);
     if (type && item.value(0).resolved().is_empty() && takes(*type, second.text))
-        return context.report(Code::under_indented, second.span, fmt::format("the fields of {} are indented too little", type->key()), "indent two more");
+        return context.report(Code::under_indented, second.span,
+                              fmt::format("the fields of {} are indented too little", type->key()), "indent two more");
     const bool forgotten_dash = type && find_node_type(context.catalogue, second.text);
     context.report(Code::not_one_key, second.span, "a node has exactly one key, its type",
-                   forgotten_dash ? "begin the next node with a dash" : type ? fmt::format("{} belongs inside {}", second.text, type->key()) : "");
+                   forgotten_dash ? "begin the next node with a dash"
+                   : type         ? fmt::format("{} belongs inside {}", second.text, type->key())
+                                  : "");
 }
 
 /// The node that comes when `left` nodes have been counted, or null. Counted before the first is made: they are large.
@@ -116,47 +127,61 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     if (!is_plain_key(key)) return;
     if (key.text == "use") return context.report(Code::use_unsupported, key.span, "use is not supported yet");
     const NodeType* type = find_node_type(context.catalogue, key.text);
-    if (!type) return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text), suggestion(key.text, node_words(context.catalogue)));
+    if (!type)
+        return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text),
+                              suggestion(key.text, node_words(context.catalogue)));
     const NodeType* parent_type = parent ? scene.find(parent)->type : nullptr;
     if (type->meta.kind == NodeKind::part && !allows_any_node(parent_type))
-        return context.report(Code::misplaced_part, key.span, fmt::format("{} cannot stand inside {}", type->key(), parent_type->key()),
+        return context.report(Code::misplaced_part, key.span,
+                              fmt::format("{} cannot stand inside {}", type->key(), parent_type->key()),
                               "only shapes and operations may; put it directly into the scene or a group");
     Node& node = scene.add(*type, parent);
     node.key = key.span;
     node.where = {key.span.begin, std::max(key.span.end, body.span.end)};
     read_fields(context, node, key, body, {children_key});
-    if (const auto id = type->find_field("id")) node.name = std::get<std::string>(node.fields[static_cast<std::size_t>(*id)].value);
+    if (const auto id = type->find_field("id"))
+        node.name = std::get<std::string>(node.fields[static_cast<std::size_t>(*id)].value);
     if (body.kind != YamlKind::map && !body.is_empty()) return;
     read_children(context, scene, node, key, body.find(children_key));
 }
 
 }  // namespace
 
-void read_fields(ReadContext& context, Node& node, const YamlNode& key, const YamlNode& body, const std::vector<std::string_view>& skipped) {
+void read_fields(ReadContext& context, Node& node, const YamlNode& key, const YamlNode& body,
+                 const std::vector<std::string_view>& skipped) {
     const std::size_t errors_before = context.errors_so_far();
     if (body.kind != YamlKind::map && !body.is_empty())
-        return context.report(Code::wrong_shape, body.span, fmt::format("the fields of {} are due here", key.text), fmt::format("write {}: {{...}}", key.text));
+        return context.report(Code::wrong_shape, body.span, fmt::format("the fields of {} are due here", key.text),
+                              fmt::format("write {}: {{...}}", key.text));
     for (std::size_t i = 0; i < body.entries(); ++i) {
         const YamlNode& field_key = body.key(i);
         const YamlNode& value = body.value(i).resolved();
         if (!is_plain_key(field_key)) continue;
         if (i > 0 && value.kind == YamlKind::null && report_comma_split(context, body.value(i - 1))) continue;
-        if (const auto index = node.type->find_field(field_key.text)) read_field(context, node, *index, field_key, value);
-        else if (std::find(skipped.begin(), skipped.end(), field_key.text) == skipped.end() && !report_unsupported(context, *node.type, field_key))
-            context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text), suggestion(field_key.text, keys_of(*node.type)));
+        if (const auto index = node.type->find_field(field_key.text))
+            read_field(context, node, *index, field_key, value);
+        else if (std::find(skipped.begin(), skipped.end(), field_key.text) == skipped.end() &&
+                 !report_unsupported(context, *node.type, field_key))
+            context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text),
+                           suggestion(field_key.text, keys_of(*node.type)));
     }
     for (const FieldType& field : node.type->fields)
-        if (field.meta.required && !body.find(field.key)) context.report(Code::missing_field, key.span, fmt::format("{} needs {}", key.text, field.key));
+        if (field.meta.required && !body.find(field.key))
+            context.report(Code::missing_field, key.span, fmt::format("{} needs {}", key.text, field.key));
     if (context.errors_so_far() != errors_before) return;
-    if (const auto sentence = broken_contract(node)) context.report(Code::broken_contract, key.span, fmt::format("{}: {} must hold", key.text, *sentence));
+    if (const auto sentence = broken_contract(node))
+        context.report(Code::broken_contract, key.span, fmt::format("{}: {} must hold", key.text, *sentence));
 }
 
 void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& list) {
     if (list.is_empty()) return;
-    if (list.kind != YamlKind::sequence) return context.report(Code::wrong_shape, list.span, "a list of nodes is due here", "begin each node with a dash");
+    if (list.kind != YamlKind::sequence)
+        return context.report(Code::wrong_shape, list.span, "a list of nodes is due here",
+                              "begin each node with a dash");
     std::size_t left = context.limits.nodes;
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
-        return context.report(Code::too_many_nodes, beyond->span, fmt::format("more than {} nodes", context.limits.nodes));
+        return context.report(Code::too_many_nodes, beyond->span,
+                              fmt::format("more than {} nodes", context.limits.nodes));
     for (const YamlNode* item : list.items) read_node(context, scene, parent, item->resolved());
 }
 

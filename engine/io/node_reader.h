@@ -5,9 +5,10 @@
 
 namespace pinfield {
 
-/// Fields of `node` from a map (or nothing); unknown keys, missing fields and broken contracts are reported. `key` is the word
-/// the map belongs to. Keys that `skipped` holds are left to the caller.
-void read_fields(ReadContext& context, Node& node, const YamlNode& key, const YamlNode& body, const std::vector<std::string_view>& skipped = {});
+/// Fields of `node` from a map (or nothing); unknown keys, missing fields and broken contracts are reported. `key` is
+/// the word the map belongs to. Keys that `skipped` holds are left to the caller.
+void read_fields(ReadContext& context, Node& node, const YamlNode& key, const YamlNode& body,
+                 const std::vector<std::string_view>& skipped = {});
 
 /// A list of scene nodes under `parent` (none: the scene itself).
 void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& list);

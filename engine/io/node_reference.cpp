@@ -34,9 +34,11 @@ Json type_json(const NodeType& type) {
     return {{"key", type.key()},
             {"kind", name(type.meta.kind)},
             {"doc", type.meta.doc},
-            {"exactness", {{"outside", word(e.outside)}, {"inside", word(e.inside)}, {"lipschitz", number_json<Json>(e.lipschitz)}}},
+            {"exactness",
+             {{"outside", word(e.outside)}, {"inside", word(e.inside)}, {"lipschitz", number_json<Json>(e.lipschitz)}}},
             {"fields", fields},
-            {"children", {{"min", children.min}, {"max", children.max == any_number ? Json(nullptr) : Json(children.max)}}}};
+            {"children",
+             {{"min", children.min}, {"max", children.max == any_number ? Json(nullptr) : Json(children.max)}}}};
 }
 
 std::string default_text(const FieldType& field) {
@@ -53,7 +55,8 @@ std::string range_text(const FieldType& field) {
     std::string out;
     const FieldMeta& m = field.meta;
     if (std::isfinite(m.min.value)) out = fmt::format("{} {}", m.min.open ? ">" : ">=", to_text(m.min.value));
-    if (std::isfinite(m.max.value)) out += fmt::format("{}{} {}", out.empty() ? "" : ", ", m.max.open ? "<" : "<=", to_text(m.max.value));
+    if (std::isfinite(m.max.value))
+        out += fmt::format("{}{} {}", out.empty() ? "" : ", ", m.max.open ? "<" : "<=", to_text(m.max.value));
     return out;
 }
 
@@ -66,10 +69,13 @@ std::string children_text(const NodeType& type) {
 
 std::string exactness_text(const NodeType& type) {
     const Exactness& e = type.meta.exactness;
-    return fmt::format("{} outside, {} inside, Lipschitz constant {}", word(e.outside), word(e.inside), to_text(e.lipschitz));
+    return fmt::format("{} outside, {} inside, Lipschitz constant {}", word(e.outside), word(e.inside),
+                       to_text(e.lipschitz));
 }
 
-bool has_field(const NodeType& type) { return type.meta.kind == NodeKind::shape || type.meta.kind == NodeKind::operation; }
+bool has_field(const NodeType& type) {
+    return type.meta.kind == NodeKind::shape || type.meta.kind == NodeKind::operation;
+}
 
 /// The common fields are the same for all: they are told once, after the last node.
 std::vector<FieldType> common_fields(const std::vector<const NodeType*>& types) {
@@ -84,7 +90,8 @@ std::vector<FieldType> common_fields(const std::vector<const NodeType*>& types) 
 
 std::string field_text(const FieldType& field) {
     const std::string unit(symbol(field.meta.unit)), range = range_text(field);
-    return fmt::format("    {:<14} {:<13} {:<8} {:<22} {:<24} {}\n", field.key, name(field.kind), unit, default_text(field), range, field.meta.doc);
+    return fmt::format("    {:<14} {:<13} {:<8} {:<22} {:<24} {}\n", field.key, name(field.kind), unit,
+                       default_text(field), range, field.meta.doc);
 }
 
 /// A cell of a Markdown table holds no bare bar.
@@ -97,11 +104,14 @@ std::string cell(std::string_view text) {
 std::string field_table(const std::vector<FieldType>& fields) {
     std::string out = "| field | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
     for (const FieldType& f : fields)
-        out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", f.key, name(f.kind), symbol(f.meta.unit), cell(default_text(f)), cell(range_text(f)), cell(f.meta.doc));
+        out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", f.key, name(f.kind), symbol(f.meta.unit),
+                           cell(default_text(f)), cell(range_text(f)), cell(f.meta.doc));
     return out;
 }
 
-std::vector<FieldType> own_fields(const NodeType& type) { return {type.fields.begin(), type.fields.begin() + type.own_fields}; }
+std::vector<FieldType> own_fields(const NodeType& type) {
+    return {type.fields.begin(), type.fields.begin() + type.own_fields};
+}
 
 }  // namespace
 
@@ -125,7 +135,8 @@ std::string reference_text(const std::vector<const NodeType*>& types) {
         if (has_field(*type)) out += fmt::format("    distance: {}\n", exactness_text(*type));
         if (type->meta.kind != NodeKind::record) out += fmt::format("    children: {}\n", children_text(*type));
         for (const FieldType& field : own_fields(*type)) out += field_text(field);
-        for (const ContractType& contract : type->contracts) out += fmt::format("    must hold: {}\n", contract.sentence);
+        for (const ContractType& contract : type->contracts)
+            out += fmt::format("    must hold: {}\n", contract.sentence);
         out += "\n";
     }
     if (const auto common = common_fields(types); !common.empty()) {
@@ -144,9 +155,11 @@ std::string reference_markdown(const std::vector<const NodeType*>& types) {
         if (type->meta.kind != NodeKind::record) out += fmt::format(" Children: {}.", children_text(*type));
         out += "\n\n";
         if (type->own_fields > 0) out += field_table(own_fields(*type)) + "\n";
-        for (const ContractType& contract : type->contracts) out += fmt::format("Must hold: {}.\n\n", contract.sentence);
+        for (const ContractType& contract : type->contracts)
+            out += fmt::format("Must hold: {}.\n\n", contract.sentence);
     }
-    if (const auto common = common_fields(types); !common.empty()) out += "## Fields of every scene node\n\n" + field_table(common);
+    if (const auto common = common_fields(types); !common.empty())
+        out += "## Fields of every scene node\n\n" + field_table(common);
     return out;
 }
 

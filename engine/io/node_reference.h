@@ -12,7 +12,8 @@ namespace pinfield {
 std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, std::string_view key = {});
 
 /// [{key, kind, doc, exactness: {outside, inside, lipschitz}, fields: [{key, type, unit, default, min, min_open, doc}],
-/// children: {min, max}}]; null for an infinite bound, for any number of children and for the default of a required field.
+/// children: {min, max}}]; null for an infinite bound, for any number of children and for the default of a required
+/// field.
 std::string reference_json(const std::vector<const NodeType*>& types);
 std::string reference_markdown(const std::vector<const NodeType*>& types);
 std::string reference_text(const std::vector<const NodeType*>& types);

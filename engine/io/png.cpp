@@ -8,9 +8,12 @@
 namespace pinfield {
 
 Result<bool> write_png(const std::string& path, int width, int height, const std::vector<unsigned char>& pixels) {
-    const std::size_t count = width > 0 && height > 0 ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
+    const std::size_t count =
+        width > 0 && height > 0 ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
     const int channels = count > 0 && pixels.size() == 3 * count ? 3 : count > 0 && pixels.size() == 4 * count ? 4 : 0;
-    if (channels == 0) return failure(fmt::format("cannot write {}: {} bytes are no picture of {} x {} pixels", path, pixels.size(), width, height));
+    if (channels == 0)
+        return failure(fmt::format("cannot write {}: {} bytes are no picture of {} x {} pixels", path, pixels.size(),
+                                   width, height));
     std::string bytes;
     const auto append = [](void* out, void* data, int size) {
         static_cast<std::string*>(out)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));

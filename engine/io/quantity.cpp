@@ -101,15 +101,21 @@ bool is_boolean_word(std::string_view text) {
 bool looks_like_expression(std::string_view text) {
     if (text.empty()) return false;
     if (text.find_first_of("+-*/%^()<>=$") != std::string_view::npos) return true;
-    return is_letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '.'; });
+    return is_letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
+               return is_letter(c) || is_digit(c) || c == '_' || c == '.';
+           });
 }
 
 QuantityError malformed(std::string_view text, std::string_view digits) {
-    const std::string_view unsigned_digits = digits.substr(digits.find_first_not_of("+-") == std::string_view::npos ? 0 : digits.find_first_not_of("+-"));
-    if (digits.find('_') != std::string_view::npos) return {Code::malformed_number, fmt::format("{} has a _ in a number", text), "write the digits without it"};
-    if (digits.find(':') != std::string_view::npos) return {Code::malformed_number, fmt::format("{} has a colon in a number", text), "a time is in seconds: 90s"};
+    const std::string_view unsigned_digits =
+        digits.substr(digits.find_first_not_of("+-") == std::string_view::npos ? 0 : digits.find_first_not_of("+-"));
+    if (digits.find('_') != std::string_view::npos)
+        return {Code::malformed_number, fmt::format("{} has a _ in a number", text), "write the digits without it"};
+    if (digits.find(':') != std::string_view::npos)
+        return {Code::malformed_number, fmt::format("{} has a colon in a number", text), "a time is in seconds: 90s"};
     if (unsigned_digits.size() > 1 && unsigned_digits[0] == '0' && is_digit(unsigned_digits[1]))
-        return {Code::malformed_number, fmt::format("{} has a leading zero", text), "some programs would read it as octal: leave the zero away"};
+        return {Code::malformed_number, fmt::format("{} has a leading zero", text),
+                "some programs would read it as octal: leave the zero away"};
     return {Code::malformed_number, fmt::format("{} is not a number a computer can hold", text), ""};
 }
 
@@ -122,7 +128,9 @@ std::optional<double> shifted(std::string_view digits, int power) {
         mantissa = digits.substr(0, e);
         std::string_view written = digits.substr(e + 1);
         if (written.starts_with('+')) written.remove_prefix(1);
-        if (std::from_chars(written.data(), written.data() + written.size(), exponent).ec != std::errc{} || std::abs(exponent) > 9999) return {};
+        if (std::from_chars(written.data(), written.data() + written.size(), exponent).ec != std::errc{} ||
+            std::abs(exponent) > 9999)
+            return {};
     }
     return parse_number(fmt::format("{}e{}", mantissa, exponent + power));
 }
@@ -132,12 +140,14 @@ QuantityError unit_error(std::string_view text, std::string_view word, Unit unit
     const std::string units = allowed.empty() ? "write it without a unit" : fmt::format("units here: {}", allowed);
     for (const UnitSuffix& s : suffixes)
         if (s.text == word)
-            return {Code::wrong_dimension, fmt::format("{} is {} where {} is due", text, measured(s.unit), measured(unit)), units};
+            return {Code::wrong_dimension,
+                    fmt::format("{} is {} where {} is due", text, measured(s.unit), measured(unit)), units};
     std::vector<std::string_view> words;
     for (const UnitSuffix& s : suffixes)
         if (s.unit == unit) words.push_back(s.text);
     const auto close = closest_match(word, words);
-    return {Code::unknown_unit, fmt::format("{} is no unit", word), close ? fmt::format("did you mean {}?", *close) : units};
+    return {Code::unknown_unit, fmt::format("{} is no unit", word),
+            close ? fmt::format("did you mean {}?", *close) : units};
 }
 
 }  // namespace
@@ -152,12 +162,15 @@ std::string suffixes_of(Unit unit) {
 }
 
 QuantityResult read_quantity(std::string_view written, Unit unit) {
-    const std::string_view text = written.size() > 60 ? written.substr(0, 60) : written;  // longer ones are wrong, and messages are for people
-    if (text.size() < written.size() && parse_number(written)) return Quantity{*parse_number(written), written, nullptr};
+    const std::string_view text =
+        written.size() > 60 ? written.substr(0, 60) : written;  // longer ones are wrong, and messages are for people
+    if (text.size() < written.size() && parse_number(written))
+        return Quantity{*parse_number(written), written, nullptr};
     if (looks_infinite(text)) return QuantityError{Code::not_finite, fmt::format("{} is no finite number", text), ""};
     if (!looks_numeric(text)) {
         if (!is_boolean_word(text) && looks_like_expression(text))
-            return QuantityError{Code::expression_unsupported, fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+            return QuantityError{Code::expression_unsupported,
+                                 fmt::format("{} is no number, and expressions are not supported yet", text), ""};
         return QuantityError{Code::wrong_type, "a number is due here", ""};
     }
     const std::string_view digits = text.substr(0, number_length(text));
@@ -166,18 +179,26 @@ QuantityResult read_quantity(std::string_view written, Unit unit) {
     const auto same = [&](const UnitSuffix& s) { return s.text == trimmed && s.unit == unit; };
     const auto suffix = std::find_if(suffixes.begin(), suffixes.end(), same);
     if (digits.size() == 1 && digits[0] == '0' && !word.empty() && (word[0] == 'x' || word[0] == 'o'))
-        return QuantityError{Code::malformed_number, fmt::format("{} is not a decimal number", text), "write it in decimal digits"};
-    if (!word.empty() && suffix == suffixes.end() && word.find_first_of("+-*%()<>= ") != std::string_view::npos && word != trimmed)
-        return QuantityError{Code::expression_unsupported, fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+        return QuantityError{Code::malformed_number, fmt::format("{} is not a decimal number", text),
+                             "write it in decimal digits"};
+    if (!word.empty() && suffix == suffixes.end() && word.find_first_of("+-*%()<>= ") != std::string_view::npos &&
+        word != trimmed)
+        return QuantityError{Code::expression_unsupported,
+                             fmt::format("{} is no number, and expressions are not supported yet", text), ""};
     if (!trimmed.empty() && suffix == suffixes.end()) {
-        const bool unit_like = std::all_of(word.begin(), word.end(), [](char c) { return is_letter(c) || c == '/' || c == '^' || is_digit(c); }) && is_letter(word[0]);
+        const bool unit_like =
+            std::all_of(word.begin(), word.end(),
+                        [](char c) { return is_letter(c) || c == '/' || c == '^' || is_digit(c); }) &&
+            is_letter(word[0]);
         if (!unit_like && parse_number(digits))
-            return QuantityError{Code::expression_unsupported, fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+            return QuantityError{Code::expression_unsupported,
+                                 fmt::format("{} is no number, and expressions are not supported yet", text), ""};
         if (!parse_number(digits)) return malformed(text, digits);
         return unit_error(text, trimmed, unit);
     }
     if (word != trimmed)
-        return QuantityError{Code::malformed_number, fmt::format("{} has a blank before its unit", text), fmt::format("write {}{}", digits, trimmed)};
+        return QuantityError{Code::malformed_number, fmt::format("{} has a blank before its unit", text),
+                             fmt::format("write {}{}", digits, trimmed)};
     if (!parse_number(digits)) return malformed(text, digits);
     if (trimmed.empty()) return Quantity{*parse_number(digits), digits, nullptr};
     const std::optional<double> value = shifted(digits, suffix->power_of_ten);
@@ -202,7 +223,8 @@ std::string shifted_text(double value, int power) {
     std::string sign = text[0] == '-' ? "-" : "", digits;
     for (const char c : text.substr(0, e))
         if (is_digit(c)) digits += c;
-    if (exponent < -8 || exponent > 15) return fmt::format("{}{}{}{}e{}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), exponent);
+    if (exponent < -8 || exponent > 15)
+        return fmt::format("{}{}{}{}e{}", sign, digits[0], digits.size() > 1 ? "." : "", digits.substr(1), exponent);
     if (exponent < 0) return sign + "0." + std::string(static_cast<std::size_t>(-exponent - 1), '0') + digits;
     const auto whole = static_cast<std::size_t>(exponent) + 1;
     if (digits.size() <= whole) return sign + digits + std::string(whole - digits.size(), '0');
@@ -211,7 +233,9 @@ std::string shifted_text(double value, int power) {
 
 std::size_t decimals_of(std::string_view digits) {
     const std::size_t point = digits.find('.');
-    return point == std::string_view::npos || digits.find_first_of("eE") != std::string_view::npos ? 0 : digits.size() - point - 1;
+    return point == std::string_view::npos || digits.find_first_of("eE") != std::string_view::npos
+               ? 0
+               : digits.size() - point - 1;
 }
 
 void pad_decimals(std::string& digits, std::size_t decimals) {
@@ -226,7 +250,8 @@ std::optional<std::string> divided_text(double value, double factor) {
     const double quotient = value / factor;
     double below = quotient, above = quotient;
     // Prefer few digits: 12 significant ones first, which is what a person would have written.
-    if (const auto rounded = parse_number(fmt::format("{:.12g}", quotient)); rounded && *rounded * factor == value) return to_text(*rounded);
+    if (const auto rounded = parse_number(fmt::format("{:.12g}", quotient)); rounded && *rounded * factor == value)
+        return to_text(*rounded);
     for (int i = 0; i < 4; ++i) {
         if (below * factor == value) return to_text(below);
         if (above * factor == value) return to_text(above);

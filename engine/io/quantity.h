@@ -53,8 +53,8 @@ private:
 
 QuantityResult read_quantity(std::string_view text, Unit unit);
 
-/// A value in the style of `like`: its unit, at least its decimals, and digits that read back as exactly the same double
-/// (in the bare unit where its own cannot say it).
+/// A value in the style of `like`: its unit, at least its decimals, and digits that read back as exactly the same
+/// double (in the bare unit where its own cannot say it).
 std::string write_quantity(double value, Unit unit, std::string_view like = {});
 
 }  // namespace pinfield

@@ -18,8 +18,10 @@ struct ReadContext {
     Diagnostics& diagnostics;
 
     void report(Code code, Span where, std::string message, std::string hint = {}) {
-        if (diagnostics.size() < limits.errors) diagnostics.push_back(diagnose(code, where, std::move(message), std::move(hint)));
-        else if (diagnostics.size() == limits.errors) diagnostics.push_back(diagnose(Code::too_many_errors, where, "more errors follow; mend these first"));
+        if (diagnostics.size() < limits.errors)
+            diagnostics.push_back(diagnose(code, where, std::move(message), std::move(hint)));
+        else if (diagnostics.size() == limits.errors)
+            diagnostics.push_back(diagnose(Code::too_many_errors, where, "more errors follow; mend these first"));
     }
     std::size_t errors_so_far() const { return diagnostics.size(); }
 };

@@ -19,7 +19,8 @@ void check_ids(ReadContext& context, const Scene& scene) {
         const auto [first, is_new] = taken.emplace(node.name, node.key);
         if (is_new) continue;
         const auto field = node.type->find_field("id");
-        context.report(Code::duplicate_id, node.fields[static_cast<std::size_t>(*field)].where, fmt::format("the id {} is taken", node.name),
+        context.report(Code::duplicate_id, node.fields[static_cast<std::size_t>(*field)].where,
+                       fmt::format("the id {} is taken", node.name),
                        fmt::format("line {} has it", context.source.place(first->second.begin).line));
     }
 }
@@ -28,13 +29,15 @@ void check_ids(ReadContext& context, const Scene& scene) {
 void check_material(ReadContext& context, const std::set<std::string_view>& materials, const FieldSlot& slot) {
     const auto& name = std::get<std::string>(slot.value);
     if (name.empty() || name == "default" || materials.count(name)) return;
-    context.report(Code::unknown_material, slot.where, fmt::format("no material is called {}", name), suggestion(name, {materials.begin(), materials.end()}));
+    context.report(Code::unknown_material, slot.where, fmt::format("no material is called {}", name),
+                   suggestion(name, {materials.begin(), materials.end()}));
 }
 
 void check_inputs(ReadContext& context, const std::set<std::string_view>& inputs, const FieldSlot& slot) {
     for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
         if (!inputs.count(name))
-            context.report(Code::unknown_input, slot.where, fmt::format("no input is called {}", name), suggestion(name, {inputs.begin(), inputs.end()}));
+            context.report(Code::unknown_input, slot.where, fmt::format("no input is called {}", name),
+                           suggestion(name, {inputs.begin(), inputs.end()}));
 }
 
 void check_references(ReadContext& context, const Scene& scene) {
@@ -47,7 +50,8 @@ void check_references(ReadContext& context, const Scene& scene) {
             const FieldType& field = node.type->fields[i];
             if (!node.fields[i].given) continue;
             if (field.kind == FieldKind::id && field.key != "id") check_material(context, materials, node.fields[i]);
-            if (field.kind == FieldKind::names && field.meta.meaning == Meaning::input) check_inputs(context, inputs, node.fields[i]);
+            if (field.kind == FieldKind::names && field.meta.meaning == Meaning::input)
+                check_inputs(context, inputs, node.fields[i]);
         }
     }
 }
@@ -62,8 +66,11 @@ void check_domains(ReadContext& context, const Scene& scene) {
         for (const std::string& layer : layers) {
             const auto [first, is_new] = domain_of.emplace(layer, node.key);
             if (!is_new && first->second != node.key)  // a layer named twice is still one
-                context.report(Code::second_domain, node.key, fmt::format("a second {} on {}", node.type->key(), layer.empty() ? "the ground layer" : "layer " + layer),
-                               fmt::format("the first is in line {}; one holds several shapes as children", context.source.place(first->second.begin).line));
+                context.report(Code::second_domain, node.key,
+                               fmt::format("a second {} on {}", node.type->key(),
+                                           layer.empty() ? "the ground layer" : "layer " + layer),
+                               fmt::format("the first is in line {}; one holds several shapes as children",
+                                           context.source.place(first->second.begin).line));
         }
     }
 }

@@ -12,10 +12,12 @@ namespace pinfield {
 namespace {
 
 constexpr std::array keyboard_keys{
-    "Space", "Apostrophe", "Comma", "Minus", "Period", "Slash", "Semicolon", "Equal", "LeftBracket", "Backslash", "RightBracket",
-    "GraveAccent", "World1", "World2", "Escape", "Enter", "Tab", "Backspace", "Insert", "Delete", "Right", "Left", "Down", "Up",
-    "PageUp", "PageDown", "Home", "End", "CapsLock", "ScrollLock", "NumLock", "PrintScreen", "Pause", "LeftShift", "LeftControl",
-    "LeftAlt", "LeftSuper", "RightShift", "RightControl", "RightAlt", "RightSuper", "Menu"};
+    "Space",    "Apostrophe",  "Comma",      "Minus",        "Period",      "Slash",      "Semicolon",
+    "Equal",    "LeftBracket", "Backslash",  "RightBracket", "GraveAccent", "World1",     "World2",
+    "Escape",   "Enter",       "Tab",        "Backspace",    "Insert",      "Delete",     "Right",
+    "Left",     "Down",        "Up",         "PageUp",       "PageDown",    "Home",       "End",
+    "CapsLock", "ScrollLock",  "NumLock",    "PrintScreen",  "Pause",       "LeftShift",  "LeftControl",
+    "LeftAlt",  "LeftSuper",   "RightShift", "RightControl", "RightAlt",    "RightSuper", "Menu"};
 
 FieldType number_field(std::string_view key, Unit unit, Limit min, Limit max, FieldKind kind = FieldKind::number) {
     FieldMeta meta;
@@ -27,7 +29,9 @@ FieldType number_field(std::string_view key, Unit unit, Limit min, Limit max, Fi
 
 void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const YamlNode& value) {
     if (!is_plain_key(key)) return;
-    if (!is_name(key.text)) return context.report(Code::bad_name, key.span, fmt::format("{} is no name for an input", key.text), "small letters, digits and _");
+    if (!is_name(key.text))
+        return context.report(Code::bad_name, key.span, fmt::format("{} is no name for an input", key.text),
+                              "small letters, digits and _");
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
     InputBinding binding{std::string(key.text), {}, {key.span.begin, value.span.end}};
     std::vector<const YamlNode*> items{&value};
@@ -40,7 +44,8 @@ void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const
         }
         if (!is_keyboard_key(name.text)) {
             const std::vector<std::string_view> known(keyboard_keys.begin(), keyboard_keys.end());
-            context.report(Code::unknown_keyboard_key, name.span, fmt::format("no key of a keyboard is called {}", name.text), suggestion(name.text, known));
+            context.report(Code::unknown_keyboard_key, name.span,
+                           fmt::format("no key of a keyboard is called {}", name.text), suggestion(name.text, known));
         }
         binding.keys.emplace_back(name.text);
     }
@@ -49,24 +54,32 @@ void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const
 
 /// Entries of a map whose keys are few and known: calls read(key index, value) for those with a value.
 template <class Read>
-void read_entries(ReadContext& context, std::string_view what, const YamlNode& map, const std::vector<std::string_view>& keys, Read read) {
+void read_entries(ReadContext& context, std::string_view what, const YamlNode& map,
+                  const std::vector<std::string_view>& keys, Read read) {
     for (std::size_t i = 0; i < map.entries(); ++i) {
         const auto it = std::find(keys.begin(), keys.end(), map.key(i).text);
         const YamlNode& value = map.value(i).resolved();
         if (!is_plain_key(map.key(i))) continue;
-        if (it == keys.end()) context.report(Code::unknown_key, map.key(i).span, fmt::format("{} has no {}", what, map.key(i).text), suggestion(map.key(i).text, keys));
-        else if (value.kind == YamlKind::null) report_missing_value(context, map.key(i), value);
-        else read(it - keys.begin(), value);
+        if (it == keys.end())
+            context.report(Code::unknown_key, map.key(i).span, fmt::format("{} has no {}", what, map.key(i).text),
+                           suggestion(map.key(i).text, keys));
+        else if (value.kind == YamlKind::null)
+            report_missing_value(context, map.key(i), value);
+        else
+            read(it - keys.begin(), value);
     }
 }
 
 void read_launch(ReadContext& context, TableTest& test, const YamlNode& node) {
-    if (node.kind != YamlKind::map) return context.report(Code::wrong_shape, node.span, "a launch is due here: {at: [x, y], velocity: [x, y]}");
+    if (node.kind != YamlKind::map)
+        return context.report(Code::wrong_shape, node.span, "a launch is due here: {at: [x, y], velocity: [x, y]}");
     static const std::vector<std::string_view> keys{"at", "velocity"};
     TableTest::Launch launch;
     read_entries(context, "a launch", node, keys, [&](auto index, const YamlNode& value) {
         const Unit unit = index == 0 ? Unit::metre : Unit::metre_per_second;
-        const auto read = read_value(context, number_field(keys[static_cast<std::size_t>(index)], unit, from(-1e6), to(1e6), FieldKind::vec2), value);
+        const auto read = read_value(
+            context, number_field(keys[static_cast<std::size_t>(index)], unit, from(-1e6), to(1e6), FieldKind::vec2),
+            value);
         if (read) (index == 0 ? launch.at : launch.velocity) = std::get<Vec2>(*read);
     });
     if (!node.find("at")) context.report(Code::missing_field, node.span, "a launch needs at");
@@ -84,7 +97,8 @@ bool is_quantity(const Scene& scene, std::string_view quantity) {
 std::vector<std::string> quantities(const Scene& scene) {
     std::vector<std::string> out{"escaped", "drained"};
     for (const NodeId id : scene.all())
-        if (const Node& node = *scene.find(id); node.type->meta.kind != NodeKind::record && !node.name.empty()) out.push_back(node.name + ".hits");
+        if (const Node& node = *scene.find(id); node.type->meta.kind != NodeKind::record && !node.name.empty())
+            out.push_back(node.name + ".hits");
     return out;
 }
 
@@ -95,20 +109,26 @@ std::string_view trimmed(std::string_view text) {
 }
 
 void read_expectation(ReadContext& context, const Scene& scene, TableTest& test, const YamlNode& node) {
-    const auto refuse = [&](std::string message) { context.report(Code::bad_expectation, node.span, std::move(message), "for example: pop.hits >= 1"); };
+    const auto refuse = [&](std::string message) {
+        context.report(Code::bad_expectation, node.span, std::move(message), "for example: pop.hits >= 1");
+    };
     if (node.kind != YamlKind::scalar) return refuse("an expectation is due here");
     const std::size_t at = node.text.find_first_of("=!<>");
     if (at == std::string_view::npos) return refuse("an expectation compares a quantity with a number");
     const std::size_t length = at + 1 < node.text.size() && node.text[at + 1] == '=' ? 2 : 1;
-    const std::string_view quantity = trimmed(node.text.substr(0, at)), comparison = node.text.substr(at, length), number = trimmed(node.text.substr(at + length));
-    if (comparison == "=" || comparison == "!") return refuse(fmt::format("{} is no comparison; there are == != < <= > >=", comparison));
+    const std::string_view quantity = trimmed(node.text.substr(0, at)), comparison = node.text.substr(at, length),
+                           number = trimmed(node.text.substr(at + length));
+    if (comparison == "=" || comparison == "!")
+        return refuse(fmt::format("{} is no comparison; there are == != < <= > >=", comparison));
     const QuantityResult value = read_quantity(number, Unit::none);
     if (!value) return refuse(fmt::format("{} is no number", number));
     if (!is_quantity(scene, quantity)) {
         const std::vector<std::string> known = quantities(scene);
-        return context.report(Code::unknown_quantity, node.span, fmt::format("nothing called {} is measured", quantity), suggestion(quantity, {known.begin(), known.end()}));
+        return context.report(Code::unknown_quantity, node.span, fmt::format("nothing called {} is measured", quantity),
+                              suggestion(quantity, {known.begin(), known.end()}));
     }
-    test.expectations.push_back({std::string(quantity), std::string(comparison), value->value, std::string(node.text), node.span});
+    test.expectations.push_back(
+        {std::string(quantity), std::string(comparison), value->value, std::string(node.text), node.span});
 }
 
 /// One thing or a list of them.
@@ -119,13 +139,17 @@ void each(const YamlNode& node, Read read) {
 }
 
 void read_test(ReadContext& context, Scene& scene, const YamlNode& node) {
-    if (node.kind != YamlKind::map) return context.report(Code::wrong_shape, node.span, "a test is due here: {launch: {...}, run: 3s, expect: [...]}");
+    if (node.kind != YamlKind::map)
+        return context.report(Code::wrong_shape, node.span,
+                              "a test is due here: {launch: {...}, run: 3s, expect: [...]}");
     TableTest test;
     test.where = node.span;
     read_entries(context, "a test", node, {"name", "launch", "run", "expect"}, [&](auto index, const YamlNode& value) {
         if (index == 0) {
-            if (value.kind == YamlKind::scalar) test.name = value.text;
-            else context.report(Code::wrong_shape, value.span, "a text is due here");
+            if (value.kind == YamlKind::scalar)
+                test.name = value.text;
+            else
+                context.report(Code::wrong_shape, value.span, "a text is due here");
         } else if (index == 1) {
             each(value, [&](const YamlNode& launch) { read_launch(context, test, launch); });
         } else if (index == 2) {
@@ -153,13 +177,18 @@ bool is_keyboard_key(std::string_view name) {
 
 void read_inputs(ReadContext& context, Scene& scene, const YamlNode& section) {
     if (section.is_empty()) return;
-    if (section.kind != YamlKind::map) return context.report(Code::wrong_shape, section.span, "inputs are due here", "write inputs: {left: [Z, LeftShift]}");
-    for (std::size_t i = 0; i < section.entries(); ++i) read_binding(context, scene, section.key(i), section.value(i).resolved());
+    if (section.kind != YamlKind::map)
+        return context.report(Code::wrong_shape, section.span, "inputs are due here",
+                              "write inputs: {left: [Z, LeftShift]}");
+    for (std::size_t i = 0; i < section.entries(); ++i)
+        read_binding(context, scene, section.key(i), section.value(i).resolved());
 }
 
 void read_tests(ReadContext& context, Scene& scene, const YamlNode& section) {
     if (section.is_empty()) return;
-    if (section.kind != YamlKind::sequence) return context.report(Code::wrong_shape, section.span, "a list of tests is due here", "begin each test with a dash");
+    if (section.kind != YamlKind::sequence)
+        return context.report(Code::wrong_shape, section.span, "a list of tests is due here",
+                              "begin each test with a dash");
     for (const YamlNode* item : section.items) read_test(context, scene, item->resolved());
 }
 

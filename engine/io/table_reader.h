@@ -17,7 +17,9 @@ struct ReadResult {
     bool ok() const { return !has_errors(diagnostics); }
 };
 
-/// Reads a table whose nodes are those of the catalogue. Never throws. Spans in scene and diagnostics refer to `source`.
-ReadResult read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalogue> catalogue, const Limits& limits = {});
+/// Reads a table whose nodes are those of the catalogue. Never throws. Spans in scene and diagnostics refer to
+/// `source`.
+ReadResult read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalogue> catalogue,
+                      const Limits& limits = {});
 
 }  // namespace pinfield

@@ -21,7 +21,8 @@ struct Place {
 Place find_place(const YamlTree& tree, const Node& node) {
     if (node.key.begin == node.key.end) return {};
     for (const YamlNode& key : tree.nodes) {
-        if (key.span != node.key || key.kind != YamlKind::scalar || !key.parent || key.parent->kind != YamlKind::map) continue;
+        if (key.span != node.key || key.kind != YamlKind::scalar || !key.parent || key.parent->kind != YamlKind::map)
+            continue;
         const auto& items = key.parent->items;
         const auto at = static_cast<std::size_t>(std::find(items.begin(), items.end(), &key) - items.begin());
         if (at % 2 == 0) return {key.parent, at / 2};
@@ -71,23 +72,29 @@ private:
     std::string pair_text(const YamlNode& node, const Vec2& before, const Vec2& after) const {
         const YamlNode &x = *node.items[0], &y = *node.items[1];
         const auto component = [&](const YamlNode& item, double old_value, double new_value) {
-            return identical(Value(old_value), Value(new_value)) ? slice(item.span.begin, item.span.end) : write_number_like(field_, new_value, &item);
+            return identical(Value(old_value), Value(new_value)) ? slice(item.span.begin, item.span.end)
+                                                                 : write_number_like(field_, new_value, &item);
         };
-        return slice(node.span.begin, x.span.begin) + component(x, before.x(), after.x()) + slice(x.span.end, y.span.begin) +
-               component(y, before.y(), after.y()) + slice(y.span.end, node.span.end);
+        return slice(node.span.begin, x.span.begin) + component(x, before.x(), after.x()) +
+               slice(x.span.end, y.span.begin) + component(y, before.y(), after.y()) + slice(y.span.end, node.span.end);
     }
 
     /// Only from the first to the last component that changes.
     TextPatch pair_patch(const YamlNode& node, const Vec2& before, const Vec2& after) const {
         const YamlNode &x = *node.items[0], &y = *node.items[1];
-        const bool same_x = identical(Value(before.x()), Value(after.x())), same_y = identical(Value(before.y()), Value(after.y()));
+        const bool same_x = identical(Value(before.x()), Value(after.x())),
+                   same_y = identical(Value(before.y()), Value(after.y()));
         if (same_x) return {y.span, write_number_like(field_, after.y(), &y)};
         if (same_y) return {x.span, write_number_like(field_, after.x(), &x)};
-        return {{x.span.begin, y.span.end}, write_number_like(field_, after.x(), &x) + slice(x.span.end, y.span.begin) + write_number_like(field_, after.y(), &y)};
+        return {{x.span.begin, y.span.end},
+                write_number_like(field_, after.x(), &x) + slice(x.span.end, y.span.begin) +
+                    write_number_like(field_, after.y(), &y)};
     }
 
-    /// Points in common at both ends keep their bytes; what is between is written anew, point by point where the counts agree.
-    TextPatch points_patch(const YamlNode& node, const std::vector<Vec2>& before, const std::vector<Vec2>& after) const {
+    /// Points in common at both ends keep their bytes; what is between is written anew, point by point where the counts
+    /// agree.
+    TextPatch points_patch(const YamlNode& node, const std::vector<Vec2>& before,
+                           const std::vector<Vec2>& after) const {
         const auto same = [&](std::size_t i, std::size_t j) { return identical(Value(before[i]), Value(after[j])); };
         std::size_t head = 0, tail = 0;
         const std::size_t common = std::min(before.size(), after.size());
@@ -99,12 +106,15 @@ private:
         std::string out;
         for (std::size_t i = 0; i < new_count; ++i) {
             const bool replaces = i < old_count && node.items[head + i]->kind == YamlKind::sequence;
-            const std::string point = replaces ? pair_text(*node.items[head + i], before[head + i], after[head + i]) : new_point(node, after[head + i]);
+            const std::string point = replaces ? pair_text(*node.items[head + i], before[head + i], after[head + i])
+                                               : new_point(node, after[head + i]);
             const bool keep_gap = i > 0 && i < old_count;
-            if (i > 0) out += keep_gap ? slice(node.items[head + i - 1]->span.end, node.items[head + i]->span.begin) : between;
+            if (i > 0)
+                out += keep_gap ? slice(node.items[head + i - 1]->span.end, node.items[head + i]->span.begin) : between;
             out += point;
         }
-        if (old_count > 0 && new_count > 0) return {{node.items[head]->span.begin, node.items[head + old_count - 1]->span.end}, out};
+        if (old_count > 0 && new_count > 0)
+            return {{node.items[head]->span.begin, node.items[head + old_count - 1]->span.end}, out};
         if (old_count > 0) {  // points are taken out, with the separator on one side
             if (head > 0) return {{node.items[head - 1]->span.end, node.items[head + old_count - 1]->span.end}, ""};
             return {{node.items[0]->span.begin, node.items[old_count]->span.begin}, ""};
@@ -117,13 +127,15 @@ private:
     std::string new_point(const YamlNode& list, const Vec2& point) const {
         const YamlNode& like = list.items[0]->resolved();
         if (like.items.size() != 2) return write_value(field_, Value(point));
-        return fmt::format("[{}, {}]", write_number_like(field_, point.x(), like.items[0]), write_number_like(field_, point.y(), like.items[1]));
+        return fmt::format("[{}, {}]", write_number_like(field_, point.x(), like.items[0]),
+                           write_number_like(field_, point.y(), like.items[1]));
     }
 
     /// A list of names that was written as a list stays one.
     std::string list_or_value(const YamlNode& node, const Value& after) const {
         const auto* names = std::get_if<std::vector<std::string>>(&after);
-        if (names && names->size() == 1 && node.kind == YamlKind::sequence) return fmt::format("[{}]", write_text(names->front()));
+        if (names && names->size() == 1 && node.kind == YamlKind::sequence)
+            return fmt::format("[{}]", write_text(names->front()));
         return write_value(field_, after);
     }
 
@@ -134,7 +146,8 @@ private:
 };
 
 Failure shared_failure(const YamlNode& shared) {
-    if (shared.target) return {fmt::format("the value stands for the one at the anchor &{}; edit the text", shared.text)};
+    if (shared.target)
+        return {fmt::format("the value stands for the one at the anchor &{}; edit the text", shared.text)};
     return {fmt::format("the value is shared by {} places of the file; edit the text", shared.references + 1)};
 }
 
@@ -168,7 +181,8 @@ Result<TextPatch> unverified_patch(const std::string& text, const YamlTree& tree
     if (body.is_empty()) return insert_body(text, body, entry);
     for (std::size_t i = 0; i < body.entries(); ++i) {
         if (body.key(i).text != field.key) continue;
-        if (const YamlNode* shared = shared_below(body.value(i))) return tl::unexpected<Failure>(shared_failure(*shared));
+        if (const YamlNode* shared = shared_below(body.value(i)))
+            return tl::unexpected<Failure>(shared_failure(*shared));
         if (!edit.given) return remove_entry(text, body, i);
         return ValuePatch(text, field).of(body.value(i), node.fields[slot_index].value, edit.value);
     }
@@ -187,7 +201,8 @@ ReadResult read_text(const SourceText& source, const Scene& like, const Limits& 
 }
 
 /// The patched text must be the same scene with exactly this edit.
-std::optional<std::string> refute(const TextPatch& patch, const SourceText& source, const Scene& now, const Edit& edit, const Limits& limits) {
+std::optional<std::string> refute(const TextPatch& patch, const SourceText& source, const Scene& now, const Edit& edit,
+                                  const Limits& limits) {
     const ReadResult after = read_text(SourceText(source.name(), apply(patch, source.text())), now, limits);
     for (const Diagnostic& d : after.diagnostics)
         if (d.severity == Severity::error) return fmt::format("the text would say: {}", d.message);

@@ -21,7 +21,9 @@ std::string shortened(std::string_view text) {
 void report_shape(ReadContext& context, const YamlNode& node, std::string_view wanted) {
     if (node.kind == YamlKind::map && (node.find("spin") || node.find("wave") || node.find("keys")))
         return context.report(Code::motion_unsupported, node.span, "motions are not supported yet", "write a number");
-    const char* found = node.kind == YamlKind::map ? "a map" : node.kind == YamlKind::sequence ? "a list" : "a single value";
+    const char* found = node.kind == YamlKind::map        ? "a map"
+                        : node.kind == YamlKind::sequence ? "a list"
+                                                          : "a single value";
     context.report(Code::wrong_shape, node.span, fmt::format("{} is due here, not {}", wanted, found));
 }
 
@@ -34,8 +36,10 @@ std::optional<double> read_number(ReadContext& context, const FieldMeta& meta, c
     if (!read) {
         if (read.error().code == Code::expression_unsupported && report_comma_split(context, node)) return {};
         const bool wrong_type = read.error().code == Code::wrong_type;
-        context.report(read.error().code, node.span,
-                       wrong_type ? fmt::format("a number is due here, not {}", shortened(node.text)) : read.error().message, read.error().hint);
+        context.report(
+            read.error().code, node.span,
+            wrong_type ? fmt::format("a number is due here, not {}", shortened(node.text)) : read.error().message,
+            read.error().hint);
         return {};
     }
     FieldType plain{"", FieldKind::number, meta, {}, {}, false};
@@ -71,7 +75,8 @@ std::optional<Vec2> read_vec2(ReadContext& context, const FieldMeta& meta, const
     if (node.items.size() != 2) {
         for (const YamlNode* item : node.items)
             if (report_comma_split(context, item->resolved())) return {};
-        context.report(Code::wrong_shape, node.span, fmt::format("a pair [x, y] is due here, not {} values", node.items.size()));
+        context.report(Code::wrong_shape, node.span,
+                       fmt::format("a pair [x, y] is due here, not {} values", node.items.size()));
         return {};
     }
     const auto x = read_number(context, meta, node.items[0]->resolved());
@@ -81,17 +86,21 @@ std::optional<Vec2> read_vec2(ReadContext& context, const FieldMeta& meta, const
 }
 
 std::optional<Value> read_points(ReadContext& context, const FieldType& field, const YamlNode& node) {
-    if (node.kind != YamlKind::sequence) return report_shape(context, node, "a list of pairs [[x, y], ...]"), std::nullopt;
+    if (node.kind != YamlKind::sequence)
+        return report_shape(context, node, "a list of pairs [[x, y], ...]"), std::nullopt;
     if (node.items.size() > context.limits.points) {
-        context.report(Code::too_many_points, node.span, fmt::format("{} points; at most {} are read", node.items.size(), context.limits.points));
+        context.report(Code::too_many_points, node.span,
+                       fmt::format("{} points; at most {} are read", node.items.size(), context.limits.points));
         return {};
     }
     std::vector<Vec2> points;
     bool good = true;
     for (const YamlNode* item : node.items) {
         const auto point = read_vec2(context, field.meta, item->resolved());
-        if (point) points.push_back(*point);
-        else good = false;
+        if (point)
+            points.push_back(*point);
+        else
+            good = false;
     }
     if (!good) return {};
     return points;
@@ -105,7 +114,8 @@ std::optional<Value> read_boolean(ReadContext& context, const FieldType& field, 
 
 bool report_dollar(ReadContext& context, const YamlNode& node) {
     if (!is_dollar_name(node.text)) return false;
-    context.report(Code::expression_unsupported, node.span, fmt::format("{} stands for a parameter, and those are not supported yet", node.text));
+    context.report(Code::expression_unsupported, node.span,
+                   fmt::format("{} stands for a parameter, and those are not supported yet", node.text));
     return true;
 }
 
@@ -113,8 +123,10 @@ std::optional<std::string> read_name(ReadContext& context, const FieldType& fiel
     if (node.kind != YamlKind::scalar) return report_shape(context, node, "a name"), std::nullopt;
     if (report_dollar(context, node)) return {};
     if (!is_name(node.text)) {
-        context.report(Code::bad_name, node.span, fmt::format("{} is no name for {}", node.text.empty() ? "an empty text" : shortened(node.text), field.key),
-                       "small letters, digits and _, not beginning with a digit");
+        context.report(
+            Code::bad_name, node.span,
+            fmt::format("{} is no name for {}", node.text.empty() ? "an empty text" : shortened(node.text), field.key),
+            "small letters, digits and _, not beginning with a digit");
         return {};
     }
     return std::string(node.text);
@@ -125,32 +137,41 @@ std::optional<Value> read_names(ReadContext& context, const FieldType& field, co
     bool good = true;
     const auto take = [&](const YamlNode& item) {
         const auto name = read_name(context, field, item);
-        if (name) names.push_back(*name);
-        else good = false;
+        if (name)
+            names.push_back(*name);
+        else
+            good = false;
     };
-    if (node.kind == YamlKind::sequence) std::for_each(node.items.begin(), node.items.end(), [&](const YamlNode* item) { take(item->resolved()); });
-    else take(node);
+    if (node.kind == YamlKind::sequence)
+        std::for_each(node.items.begin(), node.items.end(), [&](const YamlNode* item) { take(item->resolved()); });
+    else
+        take(node);
     if (!good) return {};
     return names;
 }
 
 std::optional<Value> read_color(ReadContext& context, const YamlNode& node) {
     if (parse_color(node.text)) return std::string(node.text);
-    const bool hex = (node.text.size() == 3 || node.text.size() == 6) && node.text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+    const bool hex = (node.text.size() == 3 || node.text.size() == 6) &&
+                     node.text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
     std::string hint = "a CSS name, or a quoted \"#rgb\" or \"#rrggbb\"";
-    if (hex) hint = fmt::format("write \"#{}\", with the quotes", node.text);
-    else if (const auto close = closest_match(node.text, color_names())) hint = fmt::format("did you mean {}?", *close);
+    if (hex)
+        hint = fmt::format("write \"#{}\", with the quotes", node.text);
+    else if (const auto close = closest_match(node.text, color_names()))
+        hint = fmt::format("did you mean {}?", *close);
     context.report(Code::unknown_color, node.span, fmt::format("{} is no colour", shortened(node.text)), hint);
     return {};
 }
 
 std::optional<Value> read_word(ReadContext& context, const FieldType& field, const YamlNode& node) {
-    if (node.kind != YamlKind::scalar) return report_shape(context, node, fmt::format("a {}", name(field.kind))), std::nullopt;
+    if (node.kind != YamlKind::scalar)
+        return report_shape(context, node, fmt::format("a {}", name(field.kind))), std::nullopt;
     if (report_dollar(context, node)) return {};
     if (field.kind == FieldKind::color) return read_color(context, node);
     Value value = std::string(node.text);
     if (const auto why = refuse(field, value)) {
-        context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why), suggestion(node.text, field.choices));
+        context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why),
+                       suggestion(node.text, field.choices));
         return {};
     }
     return value;
@@ -166,22 +187,27 @@ std::string suggestion(std::string_view word, const std::vector<std::string_view
 
 bool is_name(std::string_view text) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
-    return !text.empty() && letter(text[0]) && std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+    return !text.empty() && letter(text[0]) &&
+           std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
 void report_missing_value(ReadContext& context, const YamlNode& key, const YamlNode& value) {
     const std::string_view text = context.source.text();
     if (const auto color = color_in_comment(text, value.span.begin, line_end(text, value.span.begin)))
-        return context.report(Code::comment_ate_value, {*color, *color + 1}, fmt::format("this # begins a comment, so {} has no value", key.text),
+        return context.report(Code::comment_ate_value, {*color, *color + 1},
+                              fmt::format("this # begins a comment, so {} has no value", key.text),
                               "quote the colour: \"#7c5\"");
     context.report(Code::missing_value, key.span, fmt::format("{} has no value", shortened(key.text)));
 }
 
 bool report_comma_split(ReadContext& context, const YamlNode& value) {
     if (value.kind != YamlKind::scalar || value.style != YamlStyle::plain) return false;
-    if (std::count(value.text.begin(), value.text.end(), '(') <= std::count(value.text.begin(), value.text.end(), ')')) return false;
+    if (std::count(value.text.begin(), value.text.end(), '(') <= std::count(value.text.begin(), value.text.end(), ')'))
+        return false;
     // Its own field may have told of it already.
-    const auto told = [&](const Diagnostic& d) { return d.where == value.span && d.code == entry(Code::comma_split).code; };
+    const auto told = [&](const Diagnostic& d) {
+        return d.where == value.span && d.code == entry(Code::comma_split).code;
+    };
     if (std::none_of(context.diagnostics.begin(), context.diagnostics.end(), told))
         context.report(Code::comma_split, value.span, "a comma split this expression", "quote it");
     return true;

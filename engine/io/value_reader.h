@@ -7,7 +7,8 @@
 
 namespace pinfield {
 
-/// Reads what `field` holds, checks it against the field's range, and reports what is wrong with it. `node` is resolved.
+/// Reads what `field` holds, checks it against the field's range, and reports what is wrong with it. `node` is
+/// resolved.
 std::optional<Value> read_value(ReadContext& context, const FieldType& field, const YamlNode& node);
 
 }  // namespace pinfield

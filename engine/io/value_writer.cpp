@@ -16,18 +16,25 @@ bool may_be_plain(std::string_view text) {
     if (text.empty() || text.front() == ' ' || text.back() == ' ' || text.back() == ':') return false;
     if (std::string_view("-?:,[]{}#&*!|>'\"%@`~.=<").find(text.front()) != std::string_view::npos) return false;
     if (text == "null" || text == "Null" || text == "NULL") return false;
-    if (text.find_first_of(",[]{}") != std::string_view::npos || text.find(": ") != std::string_view::npos || text.find(" #") != std::string_view::npos) return false;
+    if (text.find_first_of(",[]{}") != std::string_view::npos || text.find(": ") != std::string_view::npos ||
+        text.find(" #") != std::string_view::npos)
+        return false;
     return std::none_of(text.begin(), text.end(), is_control);
 }
 
 std::string double_quoted(std::string_view text) {
     std::string out = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\') out += fmt::format("\\{}", c);
-        else if (c == '\n') out += "\\n";
-        else if (c == '\t') out += "\\t";
-        else if (is_control(c)) out += fmt::format("\\x{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-        else out += c;
+        if (c == '"' || c == '\\')
+            out += fmt::format("\\{}", c);
+        else if (c == '\n')
+            out += "\\n";
+        else if (c == '\t')
+            out += "\\t";
+        else if (is_control(c))
+            out += fmt::format("\\x{:02X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        else
+            out += c;
     }
     return out + '"';
 }
@@ -63,15 +70,19 @@ std::string write_text(std::string_view text, YamlStyle style) {
 }
 
 std::string write_number_like(const FieldType& field, double value, const YamlNode* scalar) {
-    return in_quotes_of(write_quantity(value, field.meta.unit, scalar && scalar->kind == YamlKind::scalar ? scalar->text : ""), scalar);
+    return in_quotes_of(
+        write_quantity(value, field.meta.unit, scalar && scalar->kind == YamlKind::scalar ? scalar->text : ""), scalar);
 }
 
 std::string write_scalar_like(const FieldType& field, const Value& value, const YamlNode& scalar) {
     if (const double* number = std::get_if<double>(&value)) return write_number_like(field, *number, &scalar);
     if (const auto* text = std::get_if<std::string>(&value)) return write_text(*text, scalar.style);
-    if (const auto* names = std::get_if<std::vector<std::string>>(&value); names && names->size() == 1) return write_text(names->front(), scalar.style);
+    if (const auto* names = std::get_if<std::vector<std::string>>(&value); names && names->size() == 1)
+        return write_text(names->front(), scalar.style);
     const std::string plain = write_value(field, value);
-    return std::holds_alternative<bool>(value) || std::holds_alternative<std::int64_t>(value) ? in_quotes_of(plain, &scalar) : plain;
+    return std::holds_alternative<bool>(value) || std::holds_alternative<std::int64_t>(value)
+               ? in_quotes_of(plain, &scalar)
+               : plain;
 }
 
 std::string write_value(const FieldType&, const Value& value) {
@@ -81,7 +92,8 @@ std::string write_value(const FieldType&, const Value& value) {
     if (const Vec2* pair = std::get_if<Vec2>(&value)) return pair_text(*pair);
     if (const auto* points = std::get_if<std::vector<Vec2>>(&value)) return list_text(*points, pair_text);
     const auto word = [](const std::string& text) { return write_text(text); };
-    if (const auto* names = std::get_if<std::vector<std::string>>(&value)) return names->size() == 1 ? word(names->front()) : list_text(*names, word);
+    if (const auto* names = std::get_if<std::vector<std::string>>(&value))
+        return names->size() == 1 ? word(names->front()) : list_text(*names, word);
     return write_text(std::get<std::string>(value));
 }
 

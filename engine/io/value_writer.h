@@ -8,13 +8,15 @@
 
 namespace pinfield {
 
-/// A text so that YAML reads back the same: plain where it may be, else quoted; in the quotes of `style` where they can hold it.
+/// A text so that YAML reads back the same: plain where it may be, else quoted; in the quotes of `style` where they can
+/// hold it.
 std::string write_text(std::string_view text, YamlStyle style = YamlStyle::plain);
 
 /// A value on one line in flow style: 0.03, [1, 2], [[0, 0], [1, 0]], crimson, "#7c5".
 std::string write_value(const FieldType& field, const Value& value);
 
-/// A single value (number, word, text, colour, name ...) in the style of the scalar that it replaces: its unit, decimals and quotes.
+/// A single value (number, word, text, colour, name ...) in the style of the scalar that it replaces: its unit,
+/// decimals and quotes.
 std::string write_scalar_like(const FieldType& field, const Value& value, const YamlNode& scalar);
 /// Likewise one component of a pair.
 std::string write_number_like(const FieldType& field, double value, const YamlNode* scalar);

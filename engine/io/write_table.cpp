@@ -8,19 +8,23 @@
 namespace pinfield {
 namespace {
 
-/// "key: value" of each field that differs from its default; the common ones first, so that a line begins with id and place.
+/// "key: value" of each field that differs from its default; the common ones first, so that a line begins with id and
+/// place.
 std::vector<std::string> entries_of(const Node& node) {
     std::vector<std::string> common, own;
     for (std::size_t i = 0; i < node.fields.size(); ++i) {
         const FieldType& field = node.type->fields[i];
         if (!field.meta.required && identical(node.fields[i].value, field.initial)) continue;
-        (field.common ? common : own).push_back(fmt::format("{}: {}", field.key, write_value(field, node.fields[i].value)));
+        (field.common ? common : own)
+            .push_back(fmt::format("{}: {}", field.key, write_value(field, node.fields[i].value)));
     }
     common.insert(common.end(), own.begin(), own.end());
     return common;
 }
 
-std::string flow_map(const std::vector<std::string>& entries) { return fmt::format("{{{}}}", fmt::join(entries, ", ")); }
+std::string flow_map(const std::vector<std::string>& entries) {
+    return fmt::format("{{{}}}", fmt::join(entries, ", "));
+}
 
 void write_node(const Scene& scene, const Node& node, std::size_t indent, std::string& out) {
     const std::string margin(indent, ' ');
@@ -43,7 +47,8 @@ std::string launch_text(const TableTest::Launch& launch) {
 std::string test_text(const TableTest& test) {
     std::vector<std::string> entries, launches, expectations;
     for (const auto& launch : test.launches) launches.push_back(launch_text(launch));
-    for (const auto& e : test.expectations) expectations.push_back(fmt::format("{} {} {}", e.quantity, e.comparison, to_text(e.value)));
+    for (const auto& e : test.expectations)
+        expectations.push_back(fmt::format("{} {} {}", e.quantity, e.comparison, to_text(e.value)));
     if (!test.name.empty()) entries.push_back("name: " + write_text(test.name));
     if (launches.size() == 1) entries.push_back("launch: " + launches[0]);
     if (launches.size() > 1) entries.push_back(fmt::format("launch: [{}]", fmt::join(launches, ", ")));
@@ -63,9 +68,11 @@ std::string input_text(const InputBinding& input) {
 std::string write_table(const Scene& scene) {
     std::string out = "pinfield: 1\n";
     for (const Node* record : {&scene.table(), &scene.physics()})
-        if (const auto entries = entries_of(*record); !entries.empty()) out += fmt::format("{}: {}\n", record->type->key(), flow_map(entries));
+        if (const auto entries = entries_of(*record); !entries.empty())
+            out += fmt::format("{}: {}\n", record->type->key(), flow_map(entries));
     if (!scene.materials().empty()) out += "materials:\n";
-    for (const NodeId id : scene.materials()) out += fmt::format("  {}: {}\n", scene.find(id)->name, flow_map(entries_of(*scene.find(id))));
+    for (const NodeId id : scene.materials())
+        out += fmt::format("  {}: {}\n", scene.find(id)->name, flow_map(entries_of(*scene.find(id))));
     out += scene.roots().empty() ? "scene: []\n" : "scene:\n";
     for (const NodeId id : scene.roots()) write_node(scene, *scene.find(id), 2, out);
     std::vector<std::string> inputs;

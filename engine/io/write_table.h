@@ -6,8 +6,9 @@
 
 namespace pinfield {
 
-/// Bare SI numbers, defaults left out, one line a node where it has no children. Reading it back gives the same scene, except
-/// that fields at their defaults count as not given. Never meant to replace an author's file: it has no comments.
+/// Bare SI numbers, defaults left out, one line a node where it has no children. Reading it back gives the same scene,
+/// except that fields at their defaults count as not given. Never meant to replace an author's file: it has no
+/// comments.
 std::string write_table(const Scene& scene);
 
 }  // namespace pinfield

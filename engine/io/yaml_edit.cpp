@@ -7,7 +7,9 @@
 namespace pinfield {
 namespace {
 
-std::string_view slice(std::string_view text, std::size_t begin, std::size_t end) { return text.substr(begin, end - begin); }
+std::string_view slice(std::string_view text, std::size_t begin, std::size_t end) {
+    return text.substr(begin, end - begin);
+}
 
 std::string_view line_break(std::string_view text) {
     const std::size_t first = text.find('\n');
@@ -69,7 +71,8 @@ TextPatch insert_flow(std::string_view text, const YamlNode& map, std::size_t in
 TextPatch remove_line(std::string_view text, std::size_t begin, std::size_t last) {
     const std::size_t from = line_begin(text, begin), to = next_line(text, last);
     if (to < text.size() || from == 0 || (to > 0 && text[to - 1] == '\n')) return {{from, to}, ""};
-    const std::size_t before = from - (from >= 2 && text[from - 2] == '\r' ? 2 : 1);  // the last line has no break of its own
+    const std::size_t before =
+        from - (from >= 2 && text[from - 2] == '\r' ? 2 : 1);  // the last line has no break of its own
     return {{before, to}, ""};
 }
 
@@ -82,11 +85,13 @@ TextPatch remove_block(std::string_view text, const YamlNode& map, std::size_t i
 }
 
 TextPatch remove_flow(std::string_view text, const YamlNode& map, std::size_t index) {
-    const std::size_t begin = map.key(index).span.begin, end = std::max(map.key(index).span.end, map.value(index).span.end);
+    const std::size_t begin = map.key(index).span.begin,
+                      end = std::max(map.key(index).span.end, map.value(index).span.end);
     const std::size_t comma = comma_after(text, end), after = comma == std::string_view::npos ? end : comma + 1;
     const bool last = index + 1 == map.entries();
     if (map.entries() == 1) {
-        const bool nothing_else = only_blanks(text, map.span.begin + 1, begin) && only_blanks(text, after, map.span.end - 1);
+        const bool nothing_else =
+            only_blanks(text, map.span.begin + 1, begin) && only_blanks(text, after, map.span.end - 1);
         return nothing_else ? TextPatch{{map.span.begin + 1, map.span.end - 1}, ""} : TextPatch{{begin, after}, ""};
     }
     if (begins_its_line(text, begin) && line_is_over(text, after)) return remove_line(text, begin, after);

@@ -15,7 +15,9 @@ bool is_break(char c) { return c == '\n' || c == '\r'; }
 
 /// Length of the well-formed UTF-8 sequence at `at` (no overlong forms, no surrogates: RFC 3629), or 0.
 std::size_t utf8_length(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u; };
+    const auto byte = [&](std::size_t i) {
+        return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
+    };
     const auto follows = [&](std::size_t count) {
         for (std::size_t i = 1; i <= count; ++i)
             if ((byte(i) & 0xC0u) != 0x80u) return false;
@@ -35,7 +37,8 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
     return 0;
 }
 
-/// The parser would take 0x04 for the end of the file and end a line at a lone carriage return: neither may come so far.
+/// The parser would take 0x04 for the end of the file and end a line at a lone carriage return: neither may come so
+/// far.
 std::optional<Diagnostic> check_characters(std::string_view text) {
     for (std::size_t i = 0; i < text.size();) {
         const auto c = static_cast<unsigned char>(text[i]);
@@ -51,7 +54,8 @@ std::optional<Diagnostic> check_characters(std::string_view text) {
                             lone_return ? "end lines with a line feed, or carriage return and line feed" : "remove it");
         const std::size_t length = utf8_length(text, i);
         if (length == 0)
-            return diagnose(Code::not_utf8, here, fmt::format("byte 0x{:02X} is not UTF-8", c), "save the file as UTF-8");
+            return diagnose(Code::not_utf8, here, fmt::format("byte 0x{:02X} is not UTF-8", c),
+                            "save the file as UTF-8");
         i += length;
     }
     return {};
@@ -71,13 +75,16 @@ void check_tabs(std::string_view text, Diagnostics& out) {
     }
 }
 
-/// The parser keeps every open bracket in a queue before it says a word about it: megabytes of them cost a gigabyte. And it
-/// copies a scalar of megabytes before its length can be judged.
+/// The parser keeps every open bracket in a queue before it says a word about it: megabytes of them cost a gigabyte.
+/// And it copies a scalar of megabytes before its length can be judged. A comma between brackets, a colon with a blank
+/// and a dash that begins a line are at least one event each, unless a text or a comment holds them; a table has no
+/// million of those, and the parser would take more than a second to say so.
 std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limits) {
     const std::size_t most_open = 16 * limits.depth;
     std::array<bool, 256> ends_word{};
-    for (const unsigned char c : std::string_view(" \n,[]{}:\"'#")) ends_word[c] = true;
-    std::size_t open = 0, run = 0;
+    for (const char c : std::string_view(" \n,[]{}:\"'#")) ends_word[static_cast<unsigned char>(c)] = true;
+    std::size_t open = 0, run = 0, separators = 0;
+    bool line_begins = true;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         ++run;
@@ -86,6 +93,13 @@ std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limit
         if (open > most_open)
             return diagnose(Code::too_deep, {i, i + 1}, fmt::format("more than {} brackets are open here", most_open),
                             fmt::format("at most {} levels may nest", limits.depth));
+        const bool blank_follows =
+            i + 1 == text.size() || text[i + 1] == ' ' || text[i + 1] == '\n' || text[i + 1] == '\r';
+        const bool separates =
+            (c == ',' && open > 0) || (c == ':' && blank_follows) || (c == '-' && line_begins && blank_follows);
+        line_begins = c == '\n' || (line_begins && (c == ' ' || c == '-'));
+        if (separates && ++separators > limits.events)
+            return diagnose(Code::too_many_events, {i, i + 1}, fmt::format("more than {} YAML events", limits.events));
         if (ends_word[static_cast<unsigned char>(c)]) run = 0;
         if (run > limits.scalar_bytes)
             return diagnose(Code::scalar_too_long, {i + 1 - run, i + 1},
@@ -111,7 +125,8 @@ std::size_t plain_end(std::string_view text, std::size_t at, std::string_view va
 std::size_t quoted_end(std::string_view text, std::size_t at) {
     const char quote = text[at];
     for (std::size_t i = at + 1; i < text.size(); ++i) {
-        if (quote == '"' && text[i] == '\\') ++i;
+        if (quote == '"' && text[i] == '\\')
+            ++i;
         else if (text[i] == quote) {
             if (quote == '"' || i + 1 >= text.size() || text[i + 1] != quote) return i + 1;
             ++i;
@@ -158,9 +173,12 @@ std::size_t skip_spaces(std::string_view text, std::size_t at) {
 
 std::size_t skip_blank(std::string_view text, std::size_t at) {
     while (at < text.size()) {
-        if (is_space(text[at]) || is_break(text[at])) ++at;
-        else if (text[at] == '#' && (at == 0 || is_space(text[at - 1]) || is_break(text[at - 1]))) at = line_end(text, at);
-        else break;
+        if (is_space(text[at]) || is_break(text[at]))
+            ++at;
+        else if (text[at] == '#' && (at == 0 || is_space(text[at - 1]) || is_break(text[at - 1])))
+            at = line_end(text, at);
+        else
+            break;
     }
     return at;
 }
@@ -207,18 +225,22 @@ std::size_t null_word(std::string_view text, std::size_t at) {
     if (length == 0) return 0;
     std::size_t before = at;
     while (before > 0 && is_space(text[before - 1])) --before;
-    const bool follows = before > byte_order_mark(text) && std::string_view("-:,[{?").find(text[before - 1]) != std::string_view::npos;
+    const bool follows =
+        before > byte_order_mark(text) && std::string_view("-:,[{?").find(text[before - 1]) != std::string_view::npos;
     return follows ? length : 0;
 }
 
 std::optional<std::size_t> color_in_comment(std::string_view text, std::size_t begin, std::size_t end) {
-    const auto is_hex = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); };
+    const auto is_hex = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+    };
     for (std::size_t i = begin; i < end; ++i) {
         if (text[i] != '#' || i == 0 || !is_space(text[i - 1])) continue;
         std::size_t digits = i + 1;
         while (digits < end && is_hex(text[digits])) ++digits;
         const std::size_t count = digits - i - 1;
-        const bool word_ends = digits >= text.size() || std::string_view(" \t\r\n,]}\"'").find(text[digits]) != std::string_view::npos;
+        const bool word_ends =
+            digits >= text.size() || std::string_view(" \t\r\n,]}\"'").find(text[digits]) != std::string_view::npos;
         if ((count == 3 || count == 6) && word_ends) return i;
         i = line_end(text, i);  // the rest of the line is comment
     }

@@ -1,4 +1,5 @@
-// Looking at the bytes of a YAML text: the checks before it is parsed, and the ends of what the parser gives only a start for.
+// Looking at the bytes of a YAML text: the checks before it is parsed, and the ends of what the parser gives only a
+// start for.
 #pragma once
 #include <optional>
 #include <string_view>
@@ -28,7 +29,8 @@ std::size_t line_begin(std::string_view text, std::size_t at);
 
 /// How the scalar that begins at `at` is written.
 YamlStyle scalar_style(std::string_view text, std::size_t at);
-/// End of the scalar that begins at `at` and has this value; `indent` is the column of the key or dash it belongs to (-1: none).
+/// End of the scalar that begins at `at` and has this value; `indent` is the column of the key or dash it belongs to
+/// (-1: none).
 std::size_t scalar_end(std::string_view text, std::size_t at, YamlStyle style, std::string_view value, int indent);
 
 /// The literal words ~ and null at `at`, standing for themselves right after their key or dash: their length, else 0.

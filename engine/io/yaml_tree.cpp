@@ -7,9 +7,9 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <istream>
 #include <map>
 #include <set>
-#include <istream>
 #include <streambuf>
 
 #include "engine/core/error_codes.h"
@@ -21,8 +21,8 @@ namespace {
 /// Ends the parse after a finding that makes the rest meaningless; never leaves this file.
 struct Stop {};
 
-/// The text as a stream, without a copy, handed out in pieces. The parser swallows a scalar whole before anybody can judge its
-/// length, so the text ends early when far more than a scalar may have was asked for without an event.
+/// The text as a stream, without a copy, handed out in pieces. The parser swallows a scalar whole before anybody can
+/// judge its length, so the text ends early when far more than a scalar may have was asked for without an event.
 class Bytes : public std::streambuf {
 public:
     Bytes(std::string_view text, std::size_t most_without_event) : text_(text), most_(most_without_event) {}
@@ -50,7 +50,10 @@ private:
 class Builder : public YAML::EventHandler {
 public:
     Builder(const SourceText& source, const Limits& limits, YamlTree& tree)
-        : text_(source.text()), limits_(limits), tree_(tree), mark_offset_(byte_order_mark(text_)),
+        : text_(source.text()),
+          limits_(limits),
+          tree_(tree),
+          mark_offset_(byte_order_mark(text_)),
           bytes_(text_.substr(mark_offset_), 16 * limits.scalar_bytes) {}
 
     /// Parses the whole text; the tree has no root when it could not be read to its end.
@@ -59,7 +62,8 @@ public:
         const std::size_t findings = tree_.diagnostics.size();
         try {
             YAML::Parser parser(in);
-            while (parser.HandleNextDocument(*this)) {}
+            while (parser.HandleNextDocument(*this)) {
+            }
             if (!bytes_.cut_short()) return;
         } catch (const Stop&) {
         } catch (const YAML::Exception& e) {
@@ -68,13 +72,15 @@ public:
         tree_.root = nullptr;
         if (!bytes_.cut_short()) return;
         tree_.diagnostics.resize(findings);  // whatever the parser made of a text that ends in its middle
-        report(Code::scalar_too_long, place_so_far(), fmt::format("no value for more than {} bytes from here on", 16 * limits_.scalar_bytes));
+        report(Code::scalar_too_long, place_so_far(),
+               fmt::format("no value for more than {} bytes from here on", 16 * limits_.scalar_bytes));
     }
 
     void OnDocumentStart(const YAML::Mark& mark) override {
         bytes_.event();
         if (tree_.root)
-            stop(Code::several_documents, at(mark), "a second YAML document begins here", "a table is one document: remove the ---");
+            stop(Code::several_documents, at(mark), "a second YAML document begins here",
+                 "a table is one document: remove the ---");
     }
     void OnDocumentEnd() override {}
 
@@ -103,7 +109,8 @@ public:
         node.text = text_.substr(begin + 1, end - begin - 1);
         const auto target = anchors_.find(anchor);
         if (target == anchors_.end() || is_open(target->second))
-            stop(Code::cyclic_alias, begin, fmt::format("*{} stands inside &{}, which it repeats", node.text, node.text));
+            stop(Code::cyclic_alias, begin,
+                 fmt::format("*{} stands inside &{}, which it repeats", node.text, node.text));
         node.target = target->second;
         ++node.target->references;
         node.height = node.target->height;
@@ -113,7 +120,8 @@ public:
         attach(node);
     }
 
-    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, const std::string& value) override {
+    void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+                  const std::string& value) override {
         refuse_tag(mark, tag);
         if (value.size() > limits_.scalar_bytes)
             stop(Code::scalar_too_long, at(mark),
@@ -125,7 +133,8 @@ public:
         if (node.style != YamlStyle::plain && node.style != YamlStyle::block_text && !is_closed(node.span))
             stop(Code::yaml_syntax, begin, "this quote is never closed");
         const std::string_view written = text_.substr(begin, node.span.end - begin);
-        const std::string_view inner = node.style == YamlStyle::plain || written.size() < 2 ? written : written.substr(1, written.size() - 2);
+        const std::string_view inner =
+            node.style == YamlStyle::plain || written.size() < 2 ? written : written.substr(1, written.size() - 2);
         node.text = inner == value ? inner : tree_.texts.emplace_back(value);
         attach(node);
     }
@@ -159,9 +168,11 @@ private:
         if (what == YAML::ErrorMsg::BAD_FILE) return report(Code::too_deep, place, "the nesting is too deep");
         if (what == YAML::ErrorMsg::TAB_IN_INDENTATION)
             return report(Code::tab_indentation, place, "a tab in the indentation", "indent with spaces");
-        if (what == YAML::ErrorMsg::END_OF_MAP_FLOW || what == YAML::ErrorMsg::END_OF_SEQ_FLOW) return explain_unclosed(place);
+        if (what == YAML::ErrorMsg::END_OF_MAP_FLOW || what == YAML::ErrorMsg::END_OF_SEQ_FLOW)
+            return explain_unclosed(place);
         if (what == YAML::ErrorMsg::MAP_VALUE)
-            return report(Code::yaml_syntax, place, "a key cannot stand here", "quote a text that holds a colon and a blank, and align the keys of a map");
+            return report(Code::yaml_syntax, place, "a key cannot stand here",
+                          "quote a text that holds a colon and a blank, and align the keys of a map");
         report(Code::yaml_syntax, place, std::string(what), hint_for(what));
     }
 
@@ -173,7 +184,8 @@ private:
     std::size_t at(const YAML::Mark& mark) const { return static_cast<std::size_t>(mark.pos) + mark_offset_; }
 
     void report(Code code, std::size_t place, std::string message, std::string hint = {}) {
-        tree_.diagnostics.push_back(diagnose(code, {place, std::min(place + 1, text_.size())}, std::move(message), std::move(hint)));
+        tree_.diagnostics.push_back(
+            diagnose(code, {place, std::min(place + 1, text_.size())}, std::move(message), std::move(hint)));
     }
     [[noreturn]] void stop(Code code, std::size_t place, std::string message, std::string hint = {}) {
         report(code, place, std::move(message), std::move(hint));
@@ -183,7 +195,8 @@ private:
     static std::string hint_for(std::string_view what) {
         if (what == YAML::ErrorMsg::UNKNOWN_TOKEN) return "quote a text that begins with a sign";
         if (what == YAML::ErrorMsg::EOF_IN_SCALAR) return "a quote is never closed";
-        if (what == YAML::ErrorMsg::END_OF_MAP || what == YAML::ErrorMsg::END_OF_SEQ) return "lines of one list or map begin in the same column";
+        if (what == YAML::ErrorMsg::END_OF_MAP || what == YAML::ErrorMsg::END_OF_SEQ)
+            return "lines of one list or map begin in the same column";
         return {};
     }
 
@@ -194,7 +207,8 @@ private:
         if (const auto color = color_in_comment(text_, begin, text_.size()))
             return report(Code::comment_ate_value, *color, "this # begins a comment that swallows the rest of the line",
                           "quote the colour: \"#7c5\"");
-        report(Code::yaml_syntax, begin, fmt::format("this {} is never closed", begin < text_.size() ? text_[begin] : '{'));
+        report(Code::yaml_syntax, begin,
+               fmt::format("this {} is never closed", begin < text_.size() ? text_[begin] : '{'));
     }
 
     /// The parser gives "?" to plain and "!" to quoted scalars that carry no tag.
@@ -205,7 +219,9 @@ private:
             begin = skip_blank(text_, begin);
         }
         const bool bare = tag.empty() || tag == "?" || (tag == "!" && (begin >= text_.size() || text_[begin] != '!'));
-        if (!bare) stop(Code::tag, begin, fmt::format("the tag {} is not part of the format", tag), "quote a text that begins with !");
+        if (!bare)
+            stop(Code::tag, begin, fmt::format("the tag {} is not part of the format", tag),
+                 "quote a text that begins with !");
     }
 
     YamlNode& add(YamlKind kind, YAML::anchor_t anchor) {
@@ -253,9 +269,11 @@ private:
             return;
         }
         if (key.text == "<<" && key.style == YamlStyle::plain)
-            report(Code::merge_key, key.span.begin, "the merge key << is not part of the format", "write the fields out");
+            report(Code::merge_key, key.span.begin, "the merge key << is not part of the format",
+                   "write the fields out");
         else if (!keys_.back().insert(key.text).second && tree_.diagnostics.size() < limits_.errors)
-            report(Code::duplicate_key, key.span.begin, fmt::format("{} is said twice here", key.text), "remove one of the two");
+            report(Code::duplicate_key, key.span.begin, fmt::format("{} is said twice here", key.text),
+                   "remove one of the two");
     }
 
     void open(YamlKind kind, const YAML::Mark& mark, YAML::anchor_t anchor, YamlStyle style) {
@@ -265,7 +283,8 @@ private:
         const std::size_t begin = skip_properties(text_, at(mark));
         node.style = style;
         node.span = {begin, begin};
-        if (kind == YamlKind::map && style == YamlStyle::flow && (begin >= text_.size() || text_[begin] != '{')) node.style = YamlStyle::pair;
+        if (kind == YamlKind::map && style == YamlStyle::flow && (begin >= text_.size() || text_[begin] != '{'))
+            node.style = YamlStyle::pair;
         attach(node);
         const int column = style == YamlStyle::block ? static_cast<int>(begin - line_begin(text_, begin)) : indent();
         open_.push_back({&node, column});
@@ -303,8 +322,8 @@ private:
 }  // namespace
 
 bool YamlNode::is_empty() const {
-    return kind == YamlKind::null ||
-           (kind == YamlKind::scalar && style == YamlStyle::plain && (text == "~" || text == "null" || text == "Null" || text == "NULL"));
+    return kind == YamlKind::null || (kind == YamlKind::scalar && style == YamlStyle::plain &&
+                                      (text == "~" || text == "null" || text == "Null" || text == "NULL"));
 }
 
 const YamlNode* YamlNode::find(std::string_view wanted) const {
@@ -320,7 +339,8 @@ YamlTree read_yaml(const SourceText& source, const Limits& limits) {
     if (has_errors(tree.diagnostics)) return tree;
     Builder(source, limits, tree).parse();
     if (!tree.root && tree.diagnostics.empty())
-        tree.diagnostics.push_back(diagnose(Code::empty_file, {0, 0}, "the file holds no table", "begin with: pinfield: 1"));
+        tree.diagnostics.push_back(
+            diagnose(Code::empty_file, {0, 0}, "the file holds no table", "begin with: pinfield: 1"));
     return tree;
 }
 

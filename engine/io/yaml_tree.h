@@ -1,4 +1,5 @@
-// The author's YAML as a light tree that knows where every byte of it stands: the reader gives it meaning, the patcher edits by it.
+// The author's YAML as a light tree that knows where every byte of it stands: the reader gives it meaning, the patcher
+// edits by it.
 #pragma once
 #include <cstdint>
 #include <deque>
@@ -27,7 +28,7 @@ struct YamlNode {
     std::string_view text;         ///< of a scalar, unquoted and unescaped; of an alias, its name
     std::vector<YamlNode*> items;  ///< of a sequence; of a map: key, value, key, value ...
     YamlNode* parent = nullptr;
-    YamlNode* target = nullptr;    ///< of an alias
+    YamlNode* target = nullptr;  ///< of an alias
 
     const YamlNode& resolved() const { return target ? *target : *this; }
     /// Nothing, ~ or null: what YAML calls no value.
@@ -41,13 +42,14 @@ struct YamlNode {
 };
 
 struct YamlTree {
-    std::deque<YamlNode> nodes;       ///< addresses are stable
-    std::deque<std::string> texts;    ///< scalars that the source does not hold letter by letter
-    const YamlNode* root = nullptr;   ///< null when the text could not be read to its end
+    std::deque<YamlNode> nodes;      ///< addresses are stable
+    std::deque<std::string> texts;   ///< scalars that the source does not hold letter by letter
+    const YamlNode* root = nullptr;  ///< null when the text could not be read to its end
     Diagnostics diagnostics;
 };
 
-/// Reads one document; the tree refers to the source's text, which must outlive it. Never throws; never recurses deeper than the limits let it.
+/// Reads one document; the tree refers to the source's text, which must outlive it. Never throws; never recurses deeper
+/// than the limits let it.
 YamlTree read_yaml(const SourceText& source, const Limits& limits = {});
 
 }  // namespace pinfield

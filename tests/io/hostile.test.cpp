@@ -1,5 +1,5 @@
-// Files that mean harm, made here because nobody wants them in a repository: each is answered with a code and a place, in less
-// than a second of one processor and 256 MB, in a process of its own.
+// Files that mean harm, made here because nobody wants them in a repository: each is answered with a code and a place,
+// in less than a second of one processor and 256 MB, in a process of its own.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -50,7 +50,8 @@ Answer answer_to(const std::string& text) {
     close(ends[1]);
     std::string all;
     char buffer[4096];
-    for (ssize_t count; (count = ::read(ends[0], buffer, sizeof buffer)) > 0;) all.append(buffer, static_cast<std::size_t>(count));
+    for (ssize_t count; (count = ::read(ends[0], buffer, sizeof buffer)) > 0;)
+        all.append(buffer, static_cast<std::size_t>(count));
     close(ends[0]);
     int status = 0;
     rusage usage{};
@@ -92,18 +93,21 @@ std::vector<Hostile> hostile_files() {
         {"100 000 open brackets", repeated("[", 100000), "E0107 1:1025"},
         {"4 000 000 open braces", repeated("{", 4000000), "E0107 1:1025"},
         {"100 000 levels of lists", repeated("- ", 100000), "E0107 1:129"},
-        {"3000 levels of maps", [] {
+        {"3000 levels of maps",
+         [] {
              std::string out;
              for (std::size_t i = 0; i < 3000; ++i) out += std::string(i, ' ') + "a:\n";
              return out;
-         }(), "E0107 65:65"},
+         }(),
+         "E0107 65:65"},
         {"9 MiB", head + repeated("# padding\n", 943719), "E0106 1:1"},
         {"8 MB in one word", "a: " + std::string(8000000, 'x'), "E0109 1:4"},
         {"5 MB in one folded text", "a: b\n" + repeated(" b\n", 1800000), "E0109 1:1"},
         {"300 kB in one folded text", "a: b\n" + repeated(" b\n", 100000), "E0109 1:4"},
         {"a quote that runs to the end", "a: \"" + std::string(7000000, '\n'), "E0109 1:4"},
         {"a short quote that runs to the end", "a: \"" + std::string(700000, '\n'), "E0105 1:4"},
-        {"more than a million events", "a: [" + repeated("1,", 1500000) + "]", "E0108 1:1999997"},
+        {"more than a million events", "a: [" + repeated("1,", 1500000) + "]", "E0108 1:2000004"},
+        {"more than a million events without a comma", "a:\n" + repeated("- 1\n", 1100000), "E0108 1000001:1"},
         {"a NUL byte", std::string("pinfield: 1\nta\0ble: {}\n", 23), "E0103 2:3"},
         {"the byte that a YAML parser takes for the end", "pinfield: 1\n\x04junk: {}\n", "E0103 2:1"},
         {"lone carriage returns", "pinfield: 1\rscene: []\r", "E0103 1:12"},
@@ -114,11 +118,14 @@ std::vector<Hostile> hostile_files() {
         {"100 001 nodes", head + repeated("- circle:\n", 100001), "E0110 100003:3"},
         {"100 001 of the largest nodes", head + repeated("- flipper:\n", 100001), "E0110 100003:3"},
         {"5000 points", head + "- polygon: {points: [" + repeated("[0, 0], ", 5000) + "]}\n", "E0111 3:21"},
-        {"50 000 unknown keys", head + "- circle:\n" + [] {
-             std::string out;
-             for (int i = 0; i < 50000; ++i) out += "    k" + std::to_string(i) + ": 1\n";
-             return out;
-         }(), "E0202 4:5"},
+        {"50 000 unknown keys",
+         head + "- circle:\n" +
+             [] {
+                 std::string out;
+                 for (int i = 0; i < 50000; ++i) out += "    k" + std::to_string(i) + ": 1\n";
+                 return out;
+             }(),
+         "E0202 4:5"},
         {"20 000 nodes of one name", head + repeated("- circle: {id: a}\n", 20000), "E0303 4:16"},
         {"a megabyte of key", "? " + repeated("a", 60000) + "\n: 1\n", "E0204 1:1"},
         {"an exponent beyond all", head + "- circle: {radius: 1e" + repeated("9", 1000) + "}\n", "E0210 3:20"},

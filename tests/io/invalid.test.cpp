@@ -16,14 +16,16 @@ std::vector<std::string> expected(const std::string& text) {
     std::vector<std::string> out;
     std::istringstream lines(text);
     const std::string mark = "# expect ";
-    for (std::string line; std::getline(lines, line) && line.starts_with(mark);) out.push_back(line.substr(mark.size()));
+    for (std::string line; std::getline(lines, line) && line.starts_with(mark);)
+        out.push_back(line.substr(mark.size()));
     return out;
 }
 
 /// Codes that no committed file can show, and where they are shown instead.
 const std::set<std::string> elsewhere{
-    "E0102", "E0103", "E0106", "E0108", "E0109", "E0110", "E0111", "E0122",  // hostile.test.cpp and table_reader.test.cpp
-    "E0601",                                                                 // script_reader.test.cpp
+    "E0102", "E0103", "E0106", "E0108",
+    "E0109", "E0110", "E0111", "E0122",  // hostile.test.cpp and table_reader.test.cpp
+    "E0601",                             // script_reader.test.cpp
 };
 
 }  // namespace

@@ -40,10 +40,13 @@ TEST_CASE("a suffix moves the decimal point and rounds once") {
     CHECK(value("0.43s/m", Unit::seconds_per_metre) == 0.43);
 }
 
-TEST_CASE("half a turn is pi radians") { CHECK(value("3.141592653589793rad", Unit::degree) == Approx(180).epsilon(1e-15)); }
+TEST_CASE("half a turn is pi radians") {
+    CHECK(value("3.141592653589793rad", Unit::degree) == Approx(180).epsilon(1e-15));
+}
 
 TEST_CASE("a bare number adapts to any dimension") {
-    for (const Unit unit : {Unit::none, Unit::metre, Unit::degree, Unit::second, Unit::metre_per_second2}) CHECK(value("1.5", unit) == 1.5);
+    for (const Unit unit : {Unit::none, Unit::metre, Unit::degree, Unit::second, Unit::metre_per_second2})
+        CHECK(value("1.5", unit) == 1.5);
 }
 
 TEST_CASE("what people mistake for numbers is refused with a reason of its own") {

@@ -24,12 +24,16 @@ TEST_CASE("the node reference as JSON has every node with the keys that programs
         CHECK(node["children"].contains("max"));
         REQUIRE(node["fields"].size() == types[i]->fields.size());
         for (const Json& field : node["fields"]) {
-            for (const char* key : {"key", "type", "unit", "default", "min", "min_open", "doc"}) CHECK(field.contains(key));
+            for (const char* key : {"key", "type", "unit", "default", "min", "min_open", "doc"})
+                CHECK(field.contains(key));
             CHECK(field.size() == 7);
         }
     }
     const Json circle = Json::parse(reference_json(referenced_types(*catalogue(), "circle")));
-    CHECK(circle[0]["fields"][0] == Json::parse(R"({"key": "radius", "type": "number", "unit": "m", "default": 0.05, "min": 0.0, "min_open": true, "doc": "From the centre to the rim."})"));
+    CHECK(
+        circle[0]["fields"][0] ==
+        Json::parse(
+            R"({"key": "radius", "type": "number", "unit": "m", "default": 0.05, "min": 0.0, "min_open": true, "doc": "From the centre to the rim."})"));
     CHECK(referenced_types(*catalogue(), "nosuch").empty());
     CHECK(referenced_types(*catalogue(), "physics").size() == 1);
 }
@@ -54,10 +58,12 @@ TEST_CASE("the schema describes every node, field and section") {
         CHECK(node["additionalProperties"] == false);
         for (const FieldType& field : type.fields) CHECK(node["properties"].contains(std::string(field.key)));
         CHECK(node["properties"].contains("children") == (type.meta.children.max > 0));
-        CHECK(schema["definitions"]["scene_node"]["properties"].contains(std::string(type.key())) == (type.meta.kind != NodeKind::record));
+        CHECK(schema["definitions"]["scene_node"]["properties"].contains(std::string(type.key())) ==
+              (type.meta.kind != NodeKind::record));
     }
     CHECK_FALSE(schema["definitions"]["shape_node"]["properties"].contains("bumper"));
     CHECK(schema["definitions"]["bumper"]["properties"]["children"]["items"]["$ref"] == "#/definitions/shape_node");
     CHECK(schema["definitions"]["group"]["properties"]["children"]["items"]["$ref"] == "#/definitions/scene_node");
-    for (const char* section : {"pinfield", "table", "physics", "materials", "scene", "inputs", "tests"}) CHECK(schema["properties"].contains(section));
+    for (const char* section : {"pinfield", "table", "physics", "materials", "scene", "inputs", "tests"})
+        CHECK(schema["properties"].contains(section));
 }

@@ -74,12 +74,14 @@ tests:
 )";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) text.replace(at, from.size(), to);
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
     return text;
 }
 
 double another_number(const FieldMeta& meta, double x, CounterRng& rng) {
-    const double lo = std::isfinite(meta.min.value) ? meta.min.value : -2, hi = std::isfinite(meta.max.value) ? std::fmin(meta.max.value, lo + 10) : lo + 4;
+    const double lo = std::isfinite(meta.min.value) ? meta.min.value : -2,
+                 hi = std::isfinite(meta.max.value) ? std::fmin(meta.max.value, lo + 10) : lo + 4;
     switch (rng.next_u64() % 6) {
         case 0: return x + 0.001;
         case 1: return std::round(rng.in(lo, hi) * 1000) / 1000;
@@ -90,7 +92,10 @@ double another_number(const FieldMeta& meta, double x, CounterRng& rng) {
     }
 }
 
-constexpr std::string_view words[] = {"plain", "two words", "with: colon", "a #hash", " padded ", "it's", "\"quoted\"", "[list]", "naïve ☃", "null", "~", "", "-dash", "1e3", "line\nbreak", "tab\t", "back\\slash", "a, b", "*star", "&and", "%", "trailing:", "x: y", "yes"};
+constexpr std::string_view words[] = {"plain",      "two words", "with: colon", "a #hash",   " padded ",    "it's",
+                                      "\"quoted\"", "[list]",    "naïve ☃",     "null",      "~",           "",
+                                      "-dash",      "1e3",       "line\nbreak", "tab\t",     "back\\slash", "a, b",
+                                      "*star",      "&and",      "%",           "trailing:", "x: y",        "yes"};
 
 }  // namespace
 
@@ -103,14 +108,16 @@ std::vector<std::pair<std::string, std::string>> good_tables() {
     out.emplace_back("styles with CRLF", replaced(text, "\n", "\r\n"));
     out.emplace_back("styles with a byte order mark", "\xEF\xBB\xBF" + text);
     out.emplace_back("styles without a last line break", text.substr(0, text.size() - 1));
-    out.emplace_back("all in flow style", "{pinfield: 1, table: {}, scene: [circle: {radius: 3}, {box: {id: b}}, {half_plane: }]}");
+    out.emplace_back("all in flow style",
+                     "{pinfield: 1, table: {}, scene: [circle: {radius: 3}, {box: {id: b}}, {half_plane: }]}");
     return out;
 }
 
 Value another_value(const FieldType& field, const Value& value, CounterRng& rng) {
     switch (field.kind) {
         case FieldKind::boolean: return !std::get<bool>(value);
-        case FieldKind::integer: return std::get<std::int64_t>(value) + static_cast<std::int64_t>(rng.next_u64() % 5) - 1;
+        case FieldKind::integer:
+            return std::get<std::int64_t>(value) + static_cast<std::int64_t>(rng.next_u64() % 5) - 1;
         case FieldKind::number: return another_number(field.meta, std::get<double>(value), rng);
         case FieldKind::vec2: {
             Vec2 pair = std::get<Vec2>(value);
@@ -123,9 +130,12 @@ Value another_value(const FieldType& field, const Value& value, CounterRng& rng)
             auto points = std::get<std::vector<Vec2>>(value);
             const std::size_t at = points.empty() ? 0 : rng.next_u64() % points.size();
             const auto what = rng.next_u64() % 3;
-            if (what == 0 || points.empty()) points.insert(points.begin() + static_cast<std::ptrdiff_t>(at), Vec2(rng.in(-1, 1), 0.25));
-            else if (what == 1 && points.size() > 3) points.erase(points.begin() + static_cast<std::ptrdiff_t>(at));
-            else points[at].x() += 0.001;
+            if (what == 0 || points.empty())
+                points.insert(points.begin() + static_cast<std::ptrdiff_t>(at), Vec2(rng.in(-1, 1), 0.25));
+            else if (what == 1 && points.size() > 3)
+                points.erase(points.begin() + static_cast<std::ptrdiff_t>(at));
+            else
+                points[at].x() += 0.001;
             return points;
         }
         case FieldKind::choice: return std::string(field.choices[rng.next_u64() % field.choices.size()]);
@@ -145,9 +155,11 @@ std::optional<Edit> some_edit(const Scene& scene, CounterRng& rng) {
         const FieldType& field = node.type->fields[index];
         const FieldSlot& slot = node.fields[index];
         // What refers to other things of the file is not free to be anything.
-        const bool is_reference = (field.kind == FieldKind::id && field.key != "id") || field.meta.meaning == Meaning::input;
+        const bool is_reference =
+            (field.kind == FieldKind::id && field.key != "id") || field.meta.meaning == Meaning::input;
         const bool leave_out = slot.given && identical(slot.value, field.initial) && rng.next_u64() % 2;
-        Edit edit{node.id, static_cast<int>(index), leave_out || is_reference ? slot.value : another_value(field, slot.value, rng), !leave_out};
+        Edit edit{node.id, static_cast<int>(index),
+                  leave_out || is_reference ? slot.value : another_value(field, slot.value, rng), !leave_out};
         if (is_reference || refuse(scene, edit)) continue;
         return edit;
     }

@@ -37,7 +37,8 @@ TEST_CASE("a small table reads into typed nodes with places") {
     CHECK(result.source->slice(pop.where) == "bumper: {id: pop, at: [0.26, 80cm], radius: 24mm, material: rubber}");
     CHECK_FALSE(pop.fields[static_cast<std::size_t>(*pop.type->find_field("turn"))].given);
     CHECK(scene.find("flipper[0]")->get<double>("turn") == Approx(28.6478897565));
-    CHECK(scene.find("flipper[0]")->get<std::vector<std::string>>("input") == std::vector<std::string>{"left", "right"});
+    CHECK(scene.find("flipper[0]")->get<std::vector<std::string>>("input") ==
+          std::vector<std::string>{"left", "right"});
     CHECK(scene.find("union[0]")->get<std::vector<std::string>>("layer") == std::vector<std::string>{"upper"});
     CHECK(scene.find("union[0]/box[0]")->get<Vec2>("size") == Vec2(0.01, 0.02));
     REQUIRE(scene.inputs.size() == 2);
@@ -61,7 +62,8 @@ TEST_CASE("every good table reads without a word") {
 }
 
 TEST_CASE("scalars mean nothing special before a field gives them a type") {
-    const ReadResult result = read("pinfield: 1\ntable: {name: 010, author: yes}\nscene: [group: {note: 2024-01-01}, group: {note: null}]\n");
+    const ReadResult result =
+        read("pinfield: 1\ntable: {name: 010, author: yes}\nscene: [group: {note: 2024-01-01}, group: {note: null}]\n");
     INFO(told(result));
     REQUIRE(result.ok());
     CHECK(result.scene.table().get<std::string>("name") == "010");
@@ -71,17 +73,22 @@ TEST_CASE("scalars mean nothing special before a field gives them a type") {
 }
 
 TEST_CASE("plain anchors and aliases work, and an error in what they share is told where it stands") {
-    const ReadResult good = read("pinfield: 1\nscene:\n  - circle: &c {radius: &r 3cm}\n  - circle: *c\n  - bumper: {radius: *r}\n");
+    const ReadResult good =
+        read("pinfield: 1\nscene:\n  - circle: &c {radius: &r 3cm}\n  - circle: *c\n  - bumper: {radius: *r}\n");
     INFO(told(good));
     REQUIRE(good.ok());
     CHECK(good.scene.find("circle[1]")->get<double>("radius") == 0.03);
     CHECK(good.scene.find("bumper[0]")->get<double>("radius") == 0.03);
-    CHECK(codes_and_places(read("pinfield: 1\nscene:\n  - circle: &c {radius: -3cm}\n")) == std::vector<std::string>{"E0208 3:25"});
+    CHECK(codes_and_places(read("pinfield: 1\nscene:\n  - circle: &c {radius: -3cm}\n")) ==
+          std::vector<std::string>{"E0208 3:25"});
 }
 
 TEST_CASE("all errors of a file are told in one run, in the order of the text") {
-    const ReadResult result = read("pinfield: 1\ntable: {sise: [1, 2]}\nscene:\n  - circel: {}\n  - circle: {radius: -1, turn: 3mm}\n  - bumper: {material: none}\n");
-    CHECK(codes_and_places(result) == std::vector<std::string>{"E0202 2:9", "E0203 4:5", "E0208 5:22", "E0213 5:32", "E0301 6:24"});
+    const ReadResult result = read(
+        "pinfield: 1\ntable: {sise: [1, 2]}\nscene:\n  - circel: {}\n  - circle: {radius: -1, turn: 3mm}\n  - bumper: "
+        "{material: none}\n");
+    CHECK(codes_and_places(result) ==
+          std::vector<std::string>{"E0202 2:9", "E0203 4:5", "E0208 5:22", "E0213 5:32", "E0301 6:24"});
 }
 
 TEST_CASE("a diagnostic shows its line with a caret, and how to mend it") {
@@ -101,7 +108,8 @@ TEST_CASE("limits are counted and can be raised") {
     CHECK(read(four).ok());
     tight = {};
     tight.points = 3;
-    CHECK(codes_and_places(read("pinfield: 1\nscene: [polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]]}]\n", tight)) == std::vector<std::string>{"E0111 2:27"});
+    CHECK(codes_and_places(read("pinfield: 1\nscene: [polygon: {points: [[0, 0], [1, 0], [1, 1], [0, 1]]}]\n",
+                                tight)) == std::vector<std::string>{"E0111 2:27"});
     tight = {};
     tight.events = 10;
     CHECK(read(four, tight).diagnostics.front().code == "E0108");
@@ -128,7 +136,8 @@ TEST_CASE("a type that only this program knows reads like the built-in ones") {
     type.meta.key = "blob";
     extended.add(type);
     const auto shared = std::make_shared<const Catalogue>(std::move(extended));
-    const auto source = std::make_shared<const SourceText>("t", "pinfield: 1\nscene: [blob: {radius: 3cm, at: [1, 2]}]\n");
+    const auto source =
+        std::make_shared<const SourceText>("t", "pinfield: 1\nscene: [blob: {radius: 3cm, at: [1, 2]}]\n");
     const ReadResult result = read_table(source, shared);
     INFO(told(result));
     REQUIRE(result.ok());

@@ -16,11 +16,14 @@ std::string patched_by(const TextPatch& patch, const std::string& text) { return
 int field_index(const Node& node, std::string_view key) { return *node.type->find_field(key); }
 
 /// The text after an edit of one field of the node at a path.
-std::string edited(const std::string& text, std::string_view path, std::string_view key, const Value& value, bool given = true) {
+std::string edited(const std::string& text, std::string_view path, std::string_view key, const Value& value,
+                   bool given = true) {
     const ReadResult before = read(text);
     INFO(told(before));
     REQUIRE(before.ok());
-    const Node* node = path == "physics" ? &before.scene.physics() : path == "table" ? &before.scene.table() : before.scene.find(path);
+    const Node* node = path == "physics" ? &before.scene.physics()
+                       : path == "table" ? &before.scene.table()
+                                         : before.scene.find(path);
     if (!node)
         for (const NodeId id : before.scene.materials())
             if (before.scene.find(id)->name == path) node = before.scene.find(id);
@@ -34,7 +37,8 @@ std::string edited(const std::string& text, std::string_view path, std::string_v
 
 std::string in_scene(const std::string& lines) { return "pinfield: 1\nscene:\n" + lines; }
 
-std::string edited_node(const std::string& lines, std::string_view path, std::string_view key, const Value& value, bool given = true) {
+std::string edited_node(const std::string& lines, std::string_view path, std::string_view key, const Value& value,
+                        bool given = true) {
     const std::string after = edited(in_scene(lines), path, key, value, given), head = in_scene("");
     return after.starts_with(head) ? after.substr(head.size()) : after;
 }
@@ -42,17 +46,22 @@ std::string edited_node(const std::string& lines, std::string_view path, std::st
 }  // namespace
 
 TEST_CASE("a number keeps the author's unit, decimals and quotes") {
-    CHECK(edited_node("- circle: {radius: 24mm}  # c\n", "circle[0]", "radius", 0.03) == "- circle: {radius: 30mm}  # c\n");
+    CHECK(edited_node("- circle: {radius: 24mm}  # c\n", "circle[0]", "radius", 0.03) ==
+          "- circle: {radius: 30mm}  # c\n");
     CHECK(edited_node("- circle: {radius: 2.40cm}\n", "circle[0]", "radius", 0.03) == "- circle: {radius: 3.00cm}\n");
     CHECK(edited_node("- circle: {radius: 0.50}\n", "circle[0]", "radius", 0.525) == "- circle: {radius: 0.525}\n");
-    CHECK(edited_node("- circle: {radius: '24mm'}\n", "circle[0]", "radius", 0.0305) == "- circle: {radius: '30.5mm'}\n");
-    CHECK(edited_node("- circle: {radius: 1in}\n", "circle[0]", "radius", 2.5 * 0.0254) == "- circle: {radius: 2.5in}\n");
+    CHECK(edited_node("- circle: {radius: '24mm'}\n", "circle[0]", "radius", 0.0305) ==
+          "- circle: {radius: '30.5mm'}\n");
+    CHECK(edited_node("- circle: {radius: 1in}\n", "circle[0]", "radius", 2.5 * 0.0254) ==
+          "- circle: {radius: 2.5in}\n");
     CHECK(edited_node("- circle: {radius: 1in}\n", "circle[0]", "radius", 0.1 + 0.2) != "");
 }
 
 TEST_CASE("of a pair only the component that changed is replaced") {
-    CHECK(edited_node("- circle: {at: [ 0.50 , 3cm ]}\n", "circle[0]", "at", Vec2(0.5, 0.04)) == "- circle: {at: [ 0.50 , 4cm ]}\n");
-    CHECK(edited_node("- circle: {at: [ 0.50 , 3cm ]}\n", "circle[0]", "at", Vec2(0.25, 0.03)) == "- circle: {at: [ 0.25 , 3cm ]}\n");
+    CHECK(edited_node("- circle: {at: [ 0.50 , 3cm ]}\n", "circle[0]", "at", Vec2(0.5, 0.04)) ==
+          "- circle: {at: [ 0.50 , 4cm ]}\n");
+    CHECK(edited_node("- circle: {at: [ 0.50 , 3cm ]}\n", "circle[0]", "at", Vec2(0.25, 0.03)) ==
+          "- circle: {at: [ 0.25 , 3cm ]}\n");
     CHECK(edited_node("- circle:\n    at:\n      - 1mm   # x\n      - 2\n", "circle[0]", "at", Vec2(0.002, 3)) ==
           "- circle:\n    at:\n      - 2mm   # x\n      - 3\n");
 }
@@ -60,24 +69,30 @@ TEST_CASE("of a pair only the component that changed is replaced") {
 TEST_CASE("a point is changed, added and taken out where it stands") {
     const std::string text = "- polygon: {points: [[0, 0], [24mm, 0], [0, 1cm]]}\n";
     using Points = std::vector<Vec2>;
-    CHECK(edited_node(text, "polygon[0]", "points", Points{{0, 0}, {0.025, 0}, {0, 0.01}}) == "- polygon: {points: [[0, 0], [25mm, 0], [0, 1cm]]}\n");
+    CHECK(edited_node(text, "polygon[0]", "points", Points{{0, 0}, {0.025, 0}, {0, 0.01}}) ==
+          "- polygon: {points: [[0, 0], [25mm, 0], [0, 1cm]]}\n");
     CHECK(edited_node(text, "polygon[0]", "points", Points{{0, 0}, {0.024, 0}, {0.5, 1}, {0, 0.01}}) ==
           "- polygon: {points: [[0, 0], [24mm, 0], [0.5, 1], [0, 1cm]]}\n");
-    const std::string four = "- polygon:\n    points:\n      - [0, 0]\n      - [1, 0]\n      - [1, 1]\n      - [0, 1]\n";
-    CHECK(edited_node(four, "polygon[0]", "points", Points{{0, 0}, {1, 0}, {0, 1}}) == "- polygon:\n    points:\n      - [0, 0]\n      - [1, 0]\n      - [0, 1]\n");
+    const std::string four =
+        "- polygon:\n    points:\n      - [0, 0]\n      - [1, 0]\n      - [1, 1]\n      - [0, 1]\n";
+    CHECK(edited_node(four, "polygon[0]", "points", Points{{0, 0}, {1, 0}, {0, 1}}) ==
+          "- polygon:\n    points:\n      - [0, 0]\n      - [1, 0]\n      - [0, 1]\n");
 }
 
 TEST_CASE("a new field takes the style of its neighbours") {
-    CHECK(edited_node("- circle: {at: [0, 1]} # c\n", "circle[0]", "radius", 0.03) == "- circle: {at: [0, 1], radius: 0.03} # c\n");
+    CHECK(edited_node("- circle: {at: [0, 1]} # c\n", "circle[0]", "radius", 0.03) ==
+          "- circle: {at: [0, 1], radius: 0.03} # c\n");
     CHECK(edited_node("- circle: {}\n", "circle[0]", "radius", 0.03) == "- circle: {radius: 0.03}\n");
     CHECK(edited_node("- circle:   # c\n", "circle[0]", "radius", 0.03) == "- circle: {radius: 0.03}   # c\n");
     CHECK(edited_node("- circle: ~\n", "circle[0]", "radius", 0.03) == "- circle: {radius: 0.03}\n");
-    CHECK(edited_node("- circle: {at: [0, 1],}\n", "circle[0]", "radius", 0.03) == "- circle: {at: [0, 1], radius: 0.03,}\n");
+    CHECK(edited_node("- circle: {at: [0, 1],}\n", "circle[0]", "radius", 0.03) ==
+          "- circle: {at: [0, 1], radius: 0.03,}\n");
     CHECK(edited_node("- circle:\n    at: [0, 1]  # here\n- half_plane: {}\n", "circle[0]", "radius", 0.03) ==
           "- circle:\n    at: [0, 1]  # here\n    radius: 0.03\n- half_plane: {}\n");
-    CHECK(edited_node("- circle:\n    at: [0, 1]", "circle[0]", "radius", 0.03) == "- circle:\n    at: [0, 1]\n    radius: 0.03");
-    CHECK(edited_node("- circle: {\n    at: [0, 1],  # here\n    turn: 3  # there\n  }\n", "circle[0]", "radius", 0.03) ==
-          "- circle: {\n    at: [0, 1],  # here\n    turn: 3,  # there\n    radius: 0.03\n  }\n");
+    CHECK(edited_node("- circle:\n    at: [0, 1]", "circle[0]", "radius", 0.03) ==
+          "- circle:\n    at: [0, 1]\n    radius: 0.03");
+    CHECK(edited_node("- circle: {\n    at: [0, 1],  # here\n    turn: 3  # there\n  }\n", "circle[0]", "radius",
+                      0.03) == "- circle: {\n    at: [0, 1],  # here\n    turn: 3,  # there\n    radius: 0.03\n  }\n");
     CHECK(edited_node("- circle: {\n    at: [0, 1],\n    turn: 3, # there\n  }\n", "circle[0]", "radius", 0.03) ==
           "- circle: {\n    at: [0, 1],\n    turn: 3, # there\n    radius: 0.03,\n  }\n");
 }
@@ -85,17 +100,24 @@ TEST_CASE("a new field takes the style of its neighbours") {
 TEST_CASE("a new field stands before the children") {
     CHECK(edited_node("- union:\n    # two\n    children:\n    - circle: {}\n", "union[0]", "turn", 3.0) ==
           "- union:\n    # two\n    turn: 3\n    children:\n    - circle: {}\n");
-    CHECK(edited_node("- union:\n    id: u\n    children: [circle: {}]\n", "u", "turn", 3.0) == "- union:\n    id: u\n    turn: 3\n    children: [circle: {}]\n");
-    CHECK(edited_node("- union: {id: u, children: [circle: {}]}\n", "u", "turn", 3.0) == "- union: {id: u, turn: 3, children: [circle: {}]}\n");
-    CHECK(edited_node("- union: {children: [circle: {}]}\n", "union[0]", "turn", 3.0) == "- union: {turn: 3, children: [circle: {}]}\n");
+    CHECK(edited_node("- union:\n    id: u\n    children: [circle: {}]\n", "u", "turn", 3.0) ==
+          "- union:\n    id: u\n    turn: 3\n    children: [circle: {}]\n");
+    CHECK(edited_node("- union: {id: u, children: [circle: {}]}\n", "u", "turn", 3.0) ==
+          "- union: {id: u, turn: 3, children: [circle: {}]}\n");
+    CHECK(edited_node("- union: {children: [circle: {}]}\n", "union[0]", "turn", 3.0) ==
+          "- union: {turn: 3, children: [circle: {}]}\n");
 }
 
 TEST_CASE("a field that is no longer given leaves no trace") {
-    CHECK(edited_node("- circle: {turn: 0, radius: 3cm}\n", "circle[0]", "turn", 0.0, false) == "- circle: {radius: 3cm}\n");
-    CHECK(edited_node("- circle: {radius: 3cm, turn: 0}\n", "circle[0]", "turn", 0.0, false) == "- circle: {radius: 3cm}\n");
+    CHECK(edited_node("- circle: {turn: 0, radius: 3cm}\n", "circle[0]", "turn", 0.0, false) ==
+          "- circle: {radius: 3cm}\n");
+    CHECK(edited_node("- circle: {radius: 3cm, turn: 0}\n", "circle[0]", "turn", 0.0, false) ==
+          "- circle: {radius: 3cm}\n");
     CHECK(edited_node("- circle: {turn: 0}\n", "circle[0]", "turn", 0.0, false) == "- circle: {}\n");
-    CHECK(edited_node("- circle:\n    radius: 3cm\n    turn: 0  # gone\n", "circle[0]", "turn", 0.0, false) == "- circle:\n    radius: 3cm\n");
-    CHECK(edited_node("- circle:\n    turn: 0\n    radius: 3cm\n", "circle[0]", "turn", 0.0, false) == "- circle:\n    radius: 3cm\n");
+    CHECK(edited_node("- circle:\n    radius: 3cm\n    turn: 0  # gone\n", "circle[0]", "turn", 0.0, false) ==
+          "- circle:\n    radius: 3cm\n");
+    CHECK(edited_node("- circle:\n    turn: 0\n    radius: 3cm\n", "circle[0]", "turn", 0.0, false) ==
+          "- circle:\n    radius: 3cm\n");
     CHECK(edited_node("- circle: {\n    radius: 3cm,  # kept\n    turn: 0\n  }\n", "circle[0]", "turn", 0.0, false) ==
           "- circle: {\n    radius: 3cm,  # kept\n  }\n");
     CHECK(edited_node("- circle: {turn: 3}\n", "circle[0]", "turn", 0.0, false) == "- circle: {}\n");
@@ -103,19 +125,24 @@ TEST_CASE("a field that is no longer given leaves no trace") {
 }
 
 TEST_CASE("texts are quoted only where YAML would misread them") {
-    CHECK(edited("pinfield: 1\ntable: {name: Moon}\nscene: []\n", "table", "name", std::string("Moon rise")) == "pinfield: 1\ntable: {name: Moon rise}\nscene: []\n");
-    CHECK(edited("pinfield: 1\ntable: {name: Moon}\nscene: []\n", "table", "name", std::string("a, b")) == "pinfield: 1\ntable: {name: \"a, b\"}\nscene: []\n");
-    CHECK(edited("pinfield: 1\ntable: {name: 'Moon'}\nscene: []\n", "table", "name", std::string("it's")) == "pinfield: 1\ntable: {name: 'it''s'}\nscene: []\n");
+    CHECK(edited("pinfield: 1\ntable: {name: Moon}\nscene: []\n", "table", "name", std::string("Moon rise")) ==
+          "pinfield: 1\ntable: {name: Moon rise}\nscene: []\n");
+    CHECK(edited("pinfield: 1\ntable: {name: Moon}\nscene: []\n", "table", "name", std::string("a, b")) ==
+          "pinfield: 1\ntable: {name: \"a, b\"}\nscene: []\n");
+    CHECK(edited("pinfield: 1\ntable: {name: 'Moon'}\nscene: []\n", "table", "name", std::string("it's")) ==
+          "pinfield: 1\ntable: {name: 'it''s'}\nscene: []\n");
 }
 
 TEST_CASE("a record that the text does not mention gets a section of its own") {
-    CHECK(edited("pinfield: 1\nscene: []\n", "physics", "step", 0.002) == "pinfield: 1\nphysics: {step: 0.002}\nscene: []\n");
+    CHECK(edited("pinfield: 1\nscene: []\n", "physics", "step", 0.002) ==
+          "pinfield: 1\nphysics: {step: 0.002}\nscene: []\n");
     CHECK(edited("pinfield: 1\r\ntable: {name: x} # t\r\nscene: []\r\n", "physics", "step", 0.002) ==
           "pinfield: 1\r\ntable: {name: x} # t\r\nphysics: {step: 0.002}\r\nscene: []\r\n");
 }
 
 TEST_CASE("what several places share is not changed behind the author's back") {
-    const std::string text = in_scene("- circle: &c {radius: 3cm}\n- circle: *c\n- box: {at: &p [0, 1]}\n- box: {at: *p, turn: &t 3}\n");
+    const std::string text =
+        in_scene("- circle: &c {radius: 3cm}\n- circle: *c\n- box: {at: &p [0, 1]}\n- box: {at: *p, turn: &t 3}\n");
     CHECK(edited(text, "circle[0]", "radius", 0.05).starts_with("refused: the value is shared by 2 places"));
     CHECK(edited(text, "circle[1]", "radius", 0.05).starts_with("refused: the value "));
     CHECK(edited(text, "box[0]", "at", Vec2(0, 2)).starts_with("refused: the value is shared"));
@@ -154,7 +181,9 @@ TEST_CASE("any field of any node of every good table can be patched, and undoing
             if (!patch) {
                 ++refused;
                 const Node& node = *now.scene.find(edit->node);
-                reasons += now.scene.path(edit->node) + "." + std::string(node.type->fields[static_cast<std::size_t>(edit->field)].key) + ": " + patch.error().message + "\n";
+                reasons += now.scene.path(edit->node) + "." +
+                           std::string(node.type->fields[static_cast<std::size_t>(edit->field)].key) + ": " +
+                           patch.error().message + "\n";
                 continue;
             }
             ++patched;

@@ -14,7 +14,8 @@ Scene without_defaults(Scene scene) {
     for (const NodeId id : scene.all()) {
         Node& node = *scene.find(id);
         for (std::size_t i = 0; i < node.fields.size(); ++i)
-            node.fields[i].given = node.type->fields[i].meta.required || !identical(node.fields[i].value, node.type->fields[i].initial);
+            node.fields[i].given =
+                node.type->fields[i].meta.required || !identical(node.fields[i].value, node.type->fields[i].initial);
     }
     return scene;
 }
@@ -49,7 +50,10 @@ TEST_CASE("scenes after random edits survive the canonical form") {
 }
 
 TEST_CASE("the canonical form leaves defaults out and writes bare SI numbers") {
-    const ReadResult result = read("pinfield: 1\nscene:\n  - circle: {turn: 0, radius: 24mm, id: a}\n  - union: {children: [box: {size: [1cm, 1m]}]}\n");
+    const ReadResult result = read(
+        "pinfield: 1\nscene:\n  - circle: {turn: 0, radius: 24mm, id: a}\n  - union: {children: [box: {size: [1cm, "
+        "1m]}]}\n");
     CHECK(write_table(result.scene) ==
-          "pinfield: 1\nscene:\n  - circle: {id: a, radius: 0.024}\n  - union:\n      children:\n        - box: {size: [0.01, 1]}\n");
+          "pinfield: 1\nscene:\n  - circle: {id: a, radius: 0.024}\n  - union:\n      children:\n        - box: {size: "
+          "[0.01, 1]}\n");
 }

@@ -22,7 +22,9 @@ struct Read {
 }  // namespace
 
 TEST_CASE("a span holds exactly the bytes of the value as written") {
-    const std::string body = "a: 24mm  # c\nb: \"x \\\" y\" \nc: 'it''s' # d\nd: {x: 1, y: [2, {z: 3,}] }  # e\ne: two\n  lines\nf: |\n  text\n   more\n\ng: [1,\n  2  # c\n ]\nh: &anchor  7\ni:\n  - 1\n  - x: 2 # c\n    y: 3  # c\nj: ~\n";
+    const std::string body =
+        "a: 24mm  # c\nb: \"x \\\" y\" \nc: 'it''s' # d\nd: {x: 1, y: [2, {z: 3,}] }  # e\ne: two\n  lines\nf: |\n  "
+        "text\n   more\n\ng: [1,\n  2  # c\n ]\nh: &anchor  7\ni:\n  - 1\n  - x: 2 # c\n    y: 3  # c\nj: ~\n";
     for (const bool crlf : {false, true})
         for (const bool mark : {false, true}) {
             std::string text = mark ? "\xEF\xBB\xBF" : "";

@@ -48,7 +48,8 @@ TEST_CASE("every default value is in contract") {
         CHECK_FALSE(broken_contract(node));
         for (std::size_t i = 0; i < node.fields.size(); ++i) {
             INFO(node.type->fields[i].key);
-            if (!node.type->fields[i].meta.required) CHECK_FALSE(refuse(scene, {id, static_cast<int>(i), node.fields[i].value, false}));
+            if (!node.type->fields[i].meta.required)
+                CHECK_FALSE(refuse(scene, {id, static_cast<int>(i), node.fields[i].value, false}));
         }
     }
 }
@@ -62,7 +63,8 @@ TEST_CASE("edits applied and taken back leave the scene bit for bit as it was") 
         const auto all = scene.all();
         const Node& node = *scene.find(all[rng.next_u64() % all.size()]);
         const auto index = rng.next_u64() % node.fields.size();
-        const Edit edit{node.id, static_cast<int>(index), some_value(node.type->fields[index], rng), rng.uniform() < 0.8};
+        const Edit edit{node.id, static_cast<int>(index), some_value(node.type->fields[index], rng),
+                        rng.uniform() < 0.8};
         if (refuse(scene, edit)) continue;
         const Edit inverse = apply(scene, edit);
         CHECK(identical(node.fields[index].value, edit.value));

@@ -55,9 +55,11 @@ TEST_CASE("all ids come in file order, parents before children") {
 
 TEST_CASE("a node without a material of its own has its nearest ancestor's, else the default") {
     Scene scene(catalogue());
-    const NodeId outer = add(scene, "union").id, middle = add(scene, "union", outer).id, leaf = add(scene, "circle", middle).id;
+    const NodeId outer = add(scene, "union").id, middle = add(scene, "union", outer).id,
+                 leaf = add(scene, "circle", middle).id;
     CHECK_FALSE(scene.material_of(leaf));
-    const NodeId fallback = scene.add_material("default").id, rubber = scene.add_material("rubber").id, steel = scene.add_material("steel").id;
+    const NodeId fallback = scene.add_material("default").id, rubber = scene.add_material("rubber").id,
+                 steel = scene.add_material("steel").id;
     CHECK(scene.material_of(leaf) == fallback);
     set(scene, outer, "material", std::string("rubber"));
     CHECK(scene.material_of(leaf) == rubber);
