@@ -1,7 +1,18 @@
 #include <catch2/catch.hpp>
+#include <memory>
 
+#include "engine/io/json_schema.h"
+#include "engine/io/node_reference.h"
+#include "engine/io/table_reader.h"
+#include "engine/io/text_patch.h"
+#include "engine/io/write_table.h"
+#include "engine/physics/world.h"
+#include "engine/program/compile.h"
+#include "engine/program/evaluate.h"
+#include "engine/program/patch.h"
+#include "engine/program/raster.h"
+#include "engine/scene/catalog.h"
 #include "engine/sdf/make_kernels.h"
-#include "engine/sdf/nodes/circle.h"
 #include "engine/sdf/register.h"
 #include "tests/conformance/laws.h"
 
@@ -43,6 +54,85 @@ TEST_CASE("a shape that a program adds of its own goes through every law") {
     REQUIRE(catalogue.types().size() == built_in + 1);
     REQUIRE(catalogue.find("spectacles") == &type);
     CHECK_THAT(text(check(catalogue, type, 40)), Catch::Matchers::StartsWith("0 violations"));
+}
+
+namespace {
+
+/// The built-in catalogue and the shape that only this file knows.
+std::shared_ptr<const Catalogue> extended_catalogue() {
+    auto catalogue = std::make_shared<Catalogue>(built_in_catalogue());
+    add_scene_type(*catalogue, sdf::sdf_node_type<sdf::Spectacles>());
+    return catalogue;
+}
+
+constexpr const char* table_text =
+    "pinfield: 1\n"
+    "table: {size: [0.2, 0.2], slope: 6.5}\n"
+    "scene:\n"
+    "  - spectacles: {id: nose, at: [0.1, 0.1], radius: 20mm, gap: 10mm}  # kept\n";
+
+struct Loaded {
+    std::shared_ptr<const SourceText> source = std::make_shared<SourceText>("spectacles.yaml", table_text);
+    ReadResult read = read_table(source, extended_catalogue());
+};
+
+}  // namespace
+
+TEST_CASE("a shape that a program adds of its own is read, refused, written, described and patched like any other") {
+    const Loaded loaded;
+    REQUIRE(loaded.read.diagnostics.empty());
+    const Scene& scene = loaded.read.scene;
+    const Node* node = scene.find("nose");
+    REQUIRE(node);
+    CHECK(node->get<double>("gap") == 0.01);
+
+    const auto wrong = std::make_shared<SourceText>("wrong.yaml", "pinfield: 1\nscene:\n  - spectacles: {radius: 0, gpa: 1}\n");
+    CHECK(read_table(wrong, extended_catalogue()).diagnostics.size() == 2);
+
+    const auto again = std::make_shared<SourceText>("again.yaml", write_table(scene));
+    CHECK(read_table(again, extended_catalogue()).scene.same_content(scene));
+    CHECK(json_schema(scene.catalogue()).find("\"node_spectacles\"") != std::string::npos);
+    CHECK(reference_json(referenced_types(scene.catalogue(), "spectacles")).find("Of each disc.") != std::string::npos);
+
+    const Edit edit{node->id, *node->type->find_field("gap"), 0.016, true};
+    const auto patch = patch_for(*loaded.source, scene, edit);
+    REQUIRE(patch);
+    CHECK(apply(*patch, loaded.source->text()) ==
+          "pinfield: 1\ntable: {size: [0.2, 0.2], slope: 6.5}\nscene:\n"
+          "  - spectacles: {id: nose, at: [0.1, 0.1], radius: 20mm, gap: 16mm}  # kept\n");
+}
+
+TEST_CASE("a shape that a program adds of its own is drawn, patched live and collided with") {
+    Loaded loaded;
+    Scene& scene = loaded.read.scene;
+    const auto program = compile(scene);
+    REQUIRE(program);
+    // Its discs are 25 mm left and right of the middle: 5 mm of air remain there, half of them on each side.
+    CHECK(nearest((*program)->fixed, {0.1, 0.1}).distance == Approx(0.005));
+    CHECK(nearest((*program)->fixed, {0.125, 0.1}).distance == Approx(-0.020));
+
+    Raster raster{64, 64, {{0, 0}, {0.2, 0.2}}, {}, {}};
+    rasterize((*program)->fixed, ground_layer, sdf::best_isa(), raster);
+    const auto at = [&](double x, double y) { return raster.distance[static_cast<std::size_t>(64 * static_cast<int>(64 * (1 - y / 0.2)) + static_cast<int>(64 * x / 0.2))]; };
+    CHECK(at(0.125, 0.1) < -0.015f);
+    CHECK(at(0.101, 0.1) > 0.0f);
+
+    World world(*program);
+    const BallId ball = world.add_ball({0.125, 0.17}, {0, -2});
+    bool hit = false;
+    for (int tick = 0; tick < 200; ++tick) {
+        world.step();
+        for (const Event& event : world.events()) hit = hit || (event.kind == EventKind::hit && event.node == scene.find("nose")->id);
+        CHECK(gap_at(world, world.find(ball)->position).distance > 0.0135 - 1e-6);
+    }
+    CHECK(hit);
+
+    const NodeId nose = scene.find("nose")->id;
+    const int gap = *scene.find(nose)->type->find_field("gap");
+    apply(scene, Edit{nose, gap, 0.05, true});
+    const ProgramPtr patched = patch(**program, scene, nose, gap);
+    REQUIRE(patched);
+    CHECK(nearest(patched->fixed, {0.1, 0.1}).distance == Approx(0.025));
 }
 
 }  // namespace pinfield::conformance
