@@ -31,8 +31,3 @@ if(PINFIELD_SANITIZE)
     # gcc's own manual warns that this warning errs in instrumented code; it does so in the standard library's <regex>.
     target_compile_options(pinfield_warnings INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
-
-# GCC 12 takes the short-string branches of std::string's operator+ for overlapping copies and for freed stack memory once they are
-# inlined (its bugs 105651 and 107852); clang and later versions of gcc see that they are not.
-target_compile_options(pinfield_warnings INTERFACE
-    $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-free-nonheap-object>)
