@@ -96,6 +96,9 @@ TEST_CASE("the union of a playfield is the least of its solids, and a search fin
         INFO(p.transpose());
         REQUIRE(n.distance == Approx(least).margin(1e-14));
         REQUIRE(length(n.gradient) == Approx(1).epsilon(1e-12));
+        const int first_op = n.solid == 0 ? 0 : program->fixed.solids[static_cast<std::size_t>(n.solid) - 1].root + 1;
+        REQUIRE((first_op <= n.leaf && n.leaf <= program->fixed.solids[static_cast<std::size_t>(n.solid)].root));
+        REQUIRE(std::fabs(tree_value(program->fixed, n.leaf, p - n.distance * n.gradient)) < 1e-13);
         inside += least < 0;
         if (least < 0) continue;
         const Nearest outside = nearest_outside(program->fixed, p, ground_layer, 0.05);
@@ -105,6 +108,20 @@ TEST_CASE("the union of a playfield is the least of its solids, and a search fin
             REQUIRE(outside.solid == -1);
     }
     CHECK(inside > 500);
+}
+
+TEST_CASE("inside two solids at once the distance is the greater depth and not certified") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(10, 10));
+    add(scene, "circle", {}, {{"radius", 1.0}, {"at", Vec2(4, 5)}});
+    add(scene, "circle", {}, {{"radius", 1.0}, {"at", Vec2(5, 5)}});
+    const ProgramPtr program = compiled(scene);
+    const Nearest both = nearest(program->fixed, {4.6, 5});
+    CHECK(both.distance == Approx(-0.6));
+    CHECK(both.solid == 1);
+    CHECK_FALSE(both.certified);
+    CHECK(nearest(program->fixed, {3.5, 5}).certified);  // the way out is free
+    CHECK_FALSE(nearest(program->fixed, {3.99, 5}).solid == 1);
 }
 
 TEST_CASE("on the outline itself the distance is zero and the gradient points out of the solid") {

@@ -128,3 +128,21 @@ TEST_CASE("the lowered boundary is true where edges are shared, outlines touch a
     CHECK(count.trees > 180);
     CHECK(count.boundary_points > 20000);
 }
+
+TEST_CASE("what two shapes share is in the boundary once, and belongs to the first") {
+    Scene scene(catalogue());
+    const NodeId both = add(scene, "union");
+    const NodeId first = add(scene, "box", both, {{"size", Vec2(2, 2)}});
+    add(scene, "box", both, {{"size", Vec2(2, 2)}});
+    add(scene, "box", both,
+        {{"size", Vec2(2, 1)}, {"at", Vec2(0, 0.5)}});  // shares three sides and ends within two of them
+    const ProgramPtr program = compiled(scene);
+    const Field& field = program->fixed;
+    double perimeter = 0;
+    for (int i = 0; i < field.solids[0].piece_count; ++i) {
+        const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(i)];
+        perimeter += length(boundary.piece.b - boundary.piece.a);
+        CHECK(field.ops[static_cast<std::size_t>(boundary.leaf)].origin == first);
+    }
+    CHECK(perimeter == Approx(8).epsilon(1e-14));
+}
