@@ -20,7 +20,7 @@ std::string block_after(const std::string& text, const std::string& heading, con
 /// Does the map name this file: itself, as `stem.*`, by its folder, or as `command_*.cpp`?
 bool is_mapped(const std::string& section, const fs::path& file) {
     const std::string name = file.filename().string(), stem = file.stem().string();
-    for (const std::string& entry : {"`" + name + "`", "`" + stem + ".*`"})
+    for (const std::string& entry : {std::string("`").append(name).append("`"), std::string("`").append(stem).append(".*`")})
         if (section.find(entry) != section.npos) return true;
     return name.starts_with("command_") && section.find("`command_*.cpp`") != section.npos;
 }
@@ -54,7 +54,7 @@ TEST_CASE("the map of the engine names every file") {
         for (const auto& entry : fs::directory_iterator(layer)) {
             INFO(entry.path());
             if (entry.is_directory())
-                CHECK(section.find("`" + entry.path().filename().string() + "/`") != section.npos);
+                CHECK_THAT(section, Catch::Contains(std::string("`").append(entry.path().filename().string()).append("/`")));
             else if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp")
                 CHECK(is_mapped(section, entry.path()));
         }
