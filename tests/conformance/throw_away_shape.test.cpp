@@ -67,9 +67,9 @@ std::shared_ptr<const Catalogue> extended_catalogue() {
 
 constexpr const char* table_text =
     "pinfield: 1\n"
-    "table: {size: [0.2, 0.2], slope: 6.5}\n"
+    "table: {size: [0.2, 0.2]}\n"
     "scene:\n"
-    "  - spectacles: {id: nose, at: [0.1, 0.1], radius: 20mm, gap: 10mm}  # kept\n";
+    "  - spectacles: {id: nose, at: [0.1, 0.1], radius: 18mm, gap: 14mm}  # kept\n";
 
 struct Loaded {
     std::shared_ptr<const SourceText> source = std::make_shared<SourceText>("spectacles.yaml", table_text);
@@ -84,22 +84,22 @@ TEST_CASE("a shape that a program adds of its own is read, refused, written, des
     const Scene& scene = loaded.read.scene;
     const Node* node = scene.find("nose");
     REQUIRE(node);
-    CHECK(node->get<double>("gap") == 0.01);
+    CHECK(node->get<double>("gap") == 0.014);
 
     const auto wrong = std::make_shared<SourceText>("wrong.yaml", "pinfield: 1\nscene:\n  - spectacles: {radius: 0, gpa: 1}\n");
     CHECK(read_table(wrong, extended_catalogue()).diagnostics.size() == 2);
 
     const auto again = std::make_shared<SourceText>("again.yaml", write_table(scene));
     CHECK(read_table(again, extended_catalogue()).scene.same_content(scene));
-    CHECK(json_schema(scene.catalogue()).find("\"node_spectacles\"") != std::string::npos);
+    CHECK(json_schema(scene.catalogue()).find("\"spectacles\"") != std::string::npos);
     CHECK(reference_json(referenced_types(scene.catalogue(), "spectacles")).find("Of each disc.") != std::string::npos);
 
     const Edit edit{node->id, *node->type->find_field("gap"), 0.016, true};
     const auto patch = patch_for(*loaded.source, scene, edit);
     REQUIRE(patch);
     CHECK(apply(*patch, loaded.source->text()) ==
-          "pinfield: 1\ntable: {size: [0.2, 0.2], slope: 6.5}\nscene:\n"
-          "  - spectacles: {id: nose, at: [0.1, 0.1], radius: 20mm, gap: 16mm}  # kept\n");
+          "pinfield: 1\ntable: {size: [0.2, 0.2]}\nscene:\n"
+          "  - spectacles: {id: nose, at: [0.1, 0.1], radius: 18mm, gap: 16mm}  # kept\n");
 }
 
 TEST_CASE("a shape that a program adds of its own is drawn, patched live and collided with") {
@@ -107,9 +107,9 @@ TEST_CASE("a shape that a program adds of its own is drawn, patched live and col
     Scene& scene = loaded.read.scene;
     const auto program = compile(scene);
     REQUIRE(program);
-    // Its discs are 25 mm left and right of the middle: 5 mm of air remain there, half of them on each side.
-    CHECK(nearest((*program)->fixed, {0.1, 0.1}).distance == Approx(0.005));
-    CHECK(nearest((*program)->fixed, {0.125, 0.1}).distance == Approx(-0.020));
+    // Its discs are 25 mm left and right of the middle: 14 mm of air remain between them, half on each side.
+    CHECK(nearest((*program)->fixed, {0.1, 0.1}).distance == Approx(0.007));
+    CHECK(nearest((*program)->fixed, {0.125, 0.1}).distance == Approx(-0.018));
 
     Raster raster{64, 64, {{0, 0}, {0.2, 0.2}}, {}, {}};
     rasterize((*program)->fixed, ground_layer, sdf::best_isa(), raster);
