@@ -82,7 +82,7 @@ TEST_CASE("a launched ball flies the exact parabola, and the trace tells it") {
     CHECK(spin == 0);
 }
 
-TEST_CASE("--restitution 1 makes every wall elastic") {
+TEST_CASE("simulate --restitution 1 makes every wall elastic") {
     const Scratch scratch;
     const std::string table = scratch.write("box.yaml", box_table);
     const json elastic = summary_of(table + " --launch 0.5,0.3,0.3,0 --seconds 2 --restitution 1");
@@ -135,7 +135,7 @@ TEST_CASE("inputs come from a file of edges, by name") {
     CHECK(beaten["state_hash"] != summary_of(first_table + " --seconds 0.1")["state_hash"]);
 }
 
-TEST_CASE("--step and --integrator overrule the table") {
+TEST_CASE("simulate --step and --integrator overrule the table") {
     CHECK(summary_of(first_table + " --seconds 0.1 --step 0.0005")["ticks"] == 200);
     CHECK(summary_of(first_table + " --seconds 0.1 --step 2ms")["ticks"] == 50);
     const std::string run = first_table + " --seconds 0.1 --launch 0.2,0.4,0,0 --integrator ";
