@@ -53,6 +53,18 @@ constexpr int derived_count() {
     else return 0;
 }
 
+/// Reals that the fields and derived values of T take at the head of its packed block.
+template <class T>
+inline int packed_size() {
+    T node{};
+    // Lists read their offset from the block: any real will do to be counted.
+    static constexpr double zeros[256] = {};
+    int slot = 0;
+    static constexpr auto description = T::describe();
+    std::apply([&](const auto&... f) { (detail::load_member(f.member, node, zeros, slot), ...); }, description.fields);
+    return slot + derived_count<T>();
+}
+
 template <class T>
 inline T load(const double* block) {
     T node{};

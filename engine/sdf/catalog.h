@@ -6,6 +6,8 @@
 #include "engine/sdf/nodes/circle.h"
 #include "engine/sdf/nodes/ellipse.h"
 #include "engine/sdf/nodes/half_plane.h"
+#include "engine/sdf/nodes/moon.h"
+#include "engine/sdf/nodes/pie.h"
 #include "engine/sdf/nodes/polygon.h"
 #include "engine/sdf/nodes/regular_polygon.h"
 #include "engine/sdf/nodes/segment.h"
@@ -34,6 +36,7 @@ struct NodeList {
 using BuiltIn = NodeList<
     // shapes
     Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
+    Pie, Moon,
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothDifference, Round, Onion, Mirror, RepeatPolar>;
 

@@ -32,6 +32,9 @@ inline Dual abs(const Dual& a) { return a.v < 0 ? -a : a; }
 inline Dual min(const Dual& a, const Dual& b) { return b.v < a.v ? b : a; }
 inline Dual max(const Dual& a, const Dual& b) { return a.v < b.v ? b : a; }
 inline double frozen(const Dual& a) { return a.v; }
+inline Dual with_gradient(double value, double x, double y, const Point<Dual>& p) {
+    return {value, x * p.x.dx + y * p.y.dx, x * p.x.dy + y * p.y.dy};
+}
 inline Dual select(bool condition, const Dual& yes, const Dual& no) { return condition ? yes : no; }
 /// At 0 the derivative is taken as 0: finite. Lengths of vectors go through norm(), which does better there.
 inline Dual sqrt(const Dual& a) {

@@ -7,12 +7,13 @@
 #include "engine/reflect/load.h"
 #include "engine/sdf/dual.h"
 #include "engine/sdf/kernels.h"
+#include "engine/sdf/outline_path.h"
 #include "engine/sdf/packet_kernels.h"
 
 namespace pinfield::sdf {
 
 template <class T>
-concept IsShape = requires(const T& node, const Point<double>& p) { { node.distance(p) } -> std::same_as<double>; };
+concept IsShape = HasOutlineOnly<T> || requires(const T& node, const Point<double>& p) { { node.distance(p) } -> std::same_as<double>; };
 template <class T>
 concept IsFold = requires(const T& node, double d) { { node.combine(d, d) } -> std::same_as<double>; };
 template <class T>
@@ -37,12 +38,31 @@ void fill_shape(Kernels& k) {
     using T = N<double>;
     k.form = Form::shape;
     k.exactness = shape_exactness<T>;
-    k.distance = [](const double* params, double x, double y) { return load<T>(params).distance({x, y}); };
+    k.distance = [](const double* params, double x, double y) {
+        return shape_distance<T, double>(load<T>(params), params, {x, y});
+    };
     k.sample = [](const double* params, double x, double y) -> Sample {
-        const Dual d = load<N<Dual>>(params).distance({Dual(x, 1, 0), Dual(y, 0, 1)});
+        const Dual d = shape_distance<N<Dual>, Dual>(load<N<Dual>>(params), params, {Dual(x, 1, 0), Dual(y, 0, 1)});
         return {d.v, {d.dx, d.dy}};
     };
-    k.bounds = [](const double* params) { return load<T>(params).bounds(); };
+    k.bounds = [](const double* params) {
+        if constexpr (requires(const T& node) { node.bounds(); }) {
+            return load<T>(params).bounds();
+        } else {
+            Outline out;
+            load<T>(params).outline(out);
+            return bounds_of(out);
+        }
+    };
+    if constexpr (HasOutlineOnly<T>) {
+        k.derived_count += packed_outline_size(T::most_pieces);
+        k.derive = [](double* params) {
+            derive_in_place<T>(params);
+            Outline out;
+            load<T>(params).outline(out);
+            pack_outline(out, T::most_pieces, params + packed_size<T>());
+        };
+    }
     if constexpr (requires(const T& node, Outline& out) { node.outline(out); })
         k.outline = [](const double* params, Outline& out) { load<T>(params).outline(out); };
     if constexpr (requires(const T& node, int n, std::vector<Vec2>& out) { node.trace(n, out); })

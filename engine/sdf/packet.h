@@ -45,6 +45,8 @@ struct Packet {
     friend Packet min(const Packet& a, const Packet& b) { return Packet(xsimd::min(a.v, b.v)); }
     friend Packet max(const Packet& a, const Packet& b) { return Packet(xsimd::max(a.v, b.v)); }
     friend Packet frozen(const Packet& a) { return a; }
+    friend double epsilon_of(const Packet&) { return 0x1p-23; }
+    friend Packet with_gradient(const Packet& value, const Packet&, const Packet&, const Point<Packet>&) { return value; }
     friend Packet select(const Mask& condition, const Packet& yes, const Packet& no) {
         return Packet(xsimd::select(condition.v, yes.v, no.v));
     }

@@ -3,19 +3,31 @@
 #pragma once
 #include "engine/reflect/load.h"
 #include "engine/sdf/kernels.h"
+#include "engine/sdf/outline_distance.h"
 #include "engine/sdf/packet.h"
 
 namespace pinfield::sdf {
+
+/// A shape with no distance of its own is written as its outline of at most `most_pieces` lines and arcs, whose packed form
+/// follows its fields and derived values in its block.
+template <class T>
+concept HasOutlineOnly = requires { T::most_pieces; };
+
+template <class T, class Real>
+Real shape_distance(const T& node, const double* params, const Point<Real>& p) {
+    if constexpr (HasOutlineOnly<T>) return distance_to_outline(p, params + packed_size<T>());
+    else return node.distance(p);
+}
 
 template <class T, class P>
 void packet_distance(const double* params, const float* x, const float* y, float* distance, int n) {
     const T node = load<T>(params);
     int i = 0;
-    for (; i + P::width <= n; i += P::width) node.distance({P::load(x + i), P::load(y + i)}).store(distance + i);
+    for (; i + P::width <= n; i += P::width) shape_distance<T, P>(node, params, {P::load(x + i), P::load(y + i)}).store(distance + i);
     if (i == n) return;
     float tail_x[P::width] = {}, tail_y[P::width] = {}, tail[P::width];
     for (int j = 0; i + j < n; ++j) tail_x[j] = x[i + j], tail_y[j] = y[i + j];
-    node.distance({P::load(tail_x), P::load(tail_y)}).store(tail);
+    shape_distance<T, P>(node, params, {P::load(tail_x), P::load(tail_y)}).store(tail);
     for (int j = 0; i + j < n; ++j) distance[i + j] = tail[j];
 }
 
@@ -41,7 +53,8 @@ template <template <class> class N, class P>
 PacketKernels packet_kernels() {
     using T = N<P>;
     PacketKernels k;
-    if constexpr (requires(const T& node, const Point<P>& p) { node.distance(p); }) k.distance = packet_distance<T, P>;
+    if constexpr (HasOutlineOnly<T> || requires(const T& node, const Point<P>& p) { node.distance(p); })
+        k.distance = packet_distance<T, P>;
     else if constexpr (requires(const T& node, const P& d) { node.combine(d, d); } ||
                        requires(const T& node, const P& d) { node.modify(d); })
         k.combine = packet_combine<T, P>;

@@ -15,6 +15,10 @@ inline double max(double a, double b) { return a < b ? b : a; }
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 /// The value without its derivatives, as the scalar that suffices for it: for iterations whose derivative is known in closed form.
 inline double frozen(double a) { return a; }
+/// Spacing of the scalar's numbers just above 1.
+inline double epsilon_of(double) { return 0x1p-52; }
+/// The scalar with this value at p whose gradient there is (x, y), for a value that was found with frozen numbers.
+inline double with_gradient(double value, double, double, const Point<double>&) { return value; }
 inline bool both(bool a, bool b) { return a && b; }
 inline bool either(bool a, bool b) { return a || b; }
 inline bool exactly_one(bool a, bool b) { return a != b; }

@@ -1,0 +1,122 @@
+#include "engine/sdf/outline_path.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "engine/sdf/outline_distance.h"
+
+namespace pinfield::sdf {
+namespace {
+
+Vec2 unit(const Vec2& v) {
+    const double l = length(v);
+    return l > 0 ? Vec2(v / l) : Vec2(0, 0);
+}
+Vec2 right_of(const Vec2& v) { return {v.y(), -v.x()}; }
+
+/// Direction of travel at the place p of a piece.
+Vec2 direction_at(const Piece& piece, const Vec2& p) {
+    if (!piece.is_arc()) return unit(piece.b - piece.a);
+    return piece.turn * perpendicular(unit(p - piece.centre));
+}
+
+/// Halfway along an arc.
+Vec2 middle_of(const Piece& arc) {
+    const Vec2 from = unit(arc.a - arc.centre), to = unit(arc.b - arc.centre);
+    const Vec2 across = from - to;  // vanishes for an arc that is nearly a full circle
+    const Vec2 outward = length(across) > 1e-3 ? Vec2(arc.turn * perpendicular(across)) : Vec2(-(from + to));
+    return arc.centre + arc.radius * unit(outward);
+}
+
+/// Arcs of more than half a turn cut in two: beside such an arc is not between two half planes.
+Outline without_reflex(const Outline& outline) {
+    Outline out;
+    for (const Piece& piece : outline) {
+        if (!piece.is_arc() || !piece.reflex || piece.is_full_circle()) {
+            out.push_back(piece);
+            continue;
+        }
+        const Vec2 middle = middle_of(piece);
+        out.push_back(Piece::arc(piece.centre, piece.radius, piece.a, middle, piece.turn, false));
+        out.push_back(Piece::arc(piece.centre, piece.radius, middle, piece.b, piece.turn, false));
+    }
+    return out;
+}
+
+/// The piece that ends where this one starts.
+const Piece& before(const Outline& pieces, std::size_t i) {
+    const std::size_t n = pieces.size();
+    for (std::size_t k = 1; k <= n; ++k)
+        if (const Piece& other = pieces[(i + n - k) % n]; other.b == pieces[i].a) return other;
+    return pieces[i];
+}
+
+/// Out of the solid, halfway between the normals of the piece that arrives at a corner and the one that leaves it. Where they are
+/// opposite the solid is a spike, or so is what surrounds it.
+Vec2 corner_direction(const Vec2& arriving, const Vec2& leaving) {
+    const Vec2 sum = right_of(arriving) + right_of(leaving);
+    if (length(sum) > 1e-9) return unit(sum);
+    return pinfield::cross(arriving, leaving) >= 0 ? arriving : Vec2(-arriving);
+}
+
+PackedPiece packed(const Outline& pieces, std::size_t i) {
+    const Piece& piece = pieces[i];
+    PackedPiece out{};
+    out.ax = piece.a.x(), out.ay = piece.a.y(), out.bx = piece.b.x(), out.by = piece.b.y();
+    const Vec2 leaving = direction_at(piece, piece.a), normal = right_of(leaving);
+    out.apex_x = piece.a.x(), out.apex_y = piece.a.y(), out.normal_x = normal.x(), out.normal_y = normal.y();
+    out.curvature = piece.is_arc() ? piece.turn / piece.radius : 0;
+    if (piece.is_full_circle()) return out;
+    const Vec2 arriving = direction_at(piece, piece.b);
+    out.start_x = leaving.x(), out.start_y = leaving.y(), out.end_x = arriving.x(), out.end_y = arriving.y();
+    const Piece& last = before(pieces, i);
+    const Vec2 corner = corner_direction(direction_at(last, last.b), leaving);
+    out.corner_x = corner.x(), out.corner_y = corner.y();
+    return out;
+}
+
+}  // namespace
+
+void close_by_reflection(Outline& upper_half) {
+    const auto mirrored = [](const Vec2& p) { return Vec2(p.x(), -p.y()); };
+    for (std::size_t i = upper_half.size(); i-- > 0;) {
+        Piece piece = upper_half[i];
+        const Vec2 a = mirrored(piece.b);
+        piece.b = mirrored(piece.a);
+        piece.a = a;
+        piece.centre = mirrored(piece.centre);
+        upper_half.push_back(piece);
+    }
+}
+
+Box2 bounds_of(const Outline& outline) {
+    Box2 box;
+    for (const Piece& piece : outline) {
+        box = box.including(piece.a).including(piece.b);
+        if (!piece.is_arc()) continue;
+        for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
+            const Vec2 from = piece.a - piece.centre, to = piece.b - piece.centre;
+            const bool after_start = piece.turn * pinfield::cross(from, axis) >= 0, before_end = piece.turn * pinfield::cross(axis, to) >= 0;
+            const bool on_arc = piece.is_full_circle() || (piece.reflex ? after_start || before_end : after_start && before_end);
+            if (on_arc) box = box.including(piece.centre + piece.radius * axis);
+        }
+    }
+    return box;
+}
+
+void pack_outline(const Outline& outline, int most_pieces, double* out) {
+    Outline pieces = without_reflex(outline);
+    assert(static_cast<int>(pieces.size()) <= 2 * most_pieces && "the shape's most_pieces is too small");
+    if (static_cast<int>(pieces.size()) > 2 * most_pieces) pieces.resize(2 * static_cast<std::size_t>(most_pieces));
+    const Box2 box = bounds_of(outline);
+    *out++ = static_cast<double>(pieces.size());
+    *out++ = pieces.empty() ? 0 : std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const PackedPiece c = packed(pieces, i);
+        for (const double v : {c.ax, c.ay, c.start_x, c.start_y, c.bx, c.by, c.end_x, c.end_y, c.apex_x, c.apex_y, c.normal_x, c.normal_y,
+                               c.curvature, c.corner_x, c.corner_y})
+            *out++ = v;
+    }
+}
+
+}  // namespace pinfield::sdf
