@@ -216,8 +216,9 @@ private:
             rates_.push_back(w_.movers[m].rate);
         }
         respond(w_, i, contact_of(w_, hit, by_mover ? work.mover : -1));
+        // A mover that was only brought to this time goes on as planned: what others planned against it stands.
         for (std::size_t m = 0; m < w_.movers.size(); ++m)
-            if (w_.movers[m].rate != rates_[m] || w_.mover_work[m].time == time) replan_mover(m);
+            if (w_.movers[m].rate != rates_[m]) replan_mover(m);
         replan_ball(i);
     }
 

@@ -16,12 +16,16 @@
 #include "engine/sdf/nodes/uneven_capsule.h"
 #include "engine/sdf/operations/complement.h"
 #include "engine/sdf/operations/difference.h"
+#include "engine/sdf/operations/inset.h"
 #include "engine/sdf/operations/intersection.h"
+#include "engine/sdf/operations/lerp.h"
 #include "engine/sdf/operations/mirror.h"
 #include "engine/sdf/operations/onion.h"
+#include "engine/sdf/operations/repeat.h"
 #include "engine/sdf/operations/repeat_polar.h"
 #include "engine/sdf/operations/round.h"
 #include "engine/sdf/operations/smooth_difference.h"
+#include "engine/sdf/operations/smooth_intersection.h"
 #include "engine/sdf/operations/smooth_union.h"
 #include "engine/sdf/operations/union.h"
 #include "engine/sdf/operations/xor.h"
@@ -38,6 +42,7 @@ using BuiltIn = NodeList<
     Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
     Pie, Moon,
     // operations
-    Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothDifference, Round, Onion, Mirror, RepeatPolar>;
+    Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
+    Onion, Mirror, Repeat, RepeatPolar>;
 
 }  // namespace pinfield::sdf

@@ -37,6 +37,10 @@ Value random_value(const FieldType& field, CounterRng& rng) {
         }
         case FieldKind::number: return random_number(field.meta, rng);
         case FieldKind::vec2: {
+            if (field.meta.step == 1) {  // counts
+                const double first = std::floor(rng.in(field.meta.min.value, field.meta.min.value + 5));
+                return Vec2(first, std::floor(rng.in(field.meta.min.value, field.meta.min.value + 5)));
+            }
             const double x = random_number(field.meta, rng);
             return Vec2(x, random_number(field.meta, rng));
         }

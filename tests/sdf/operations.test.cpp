@@ -71,6 +71,70 @@ TEST_CASE("a smooth union lowers what coincides by k, leaves alone what is 4 k a
     CHECK(dry.combine(0.01, 0.01) == 0.01);
 }
 
+TEST_CASE("every family of blend lowers what coincides by k and nothing by more, with slopes between 0 and 1/2") {
+    const double k = 0.01;
+    const std::array widths{4.0, 6.0, 16.0 / 3, 1 / (1 - std::sqrt(0.5)), infinity, 2.0};  // in k, where the bump ends
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        const auto family = static_cast<BlendFamily>(i);
+        CAPTURE(choice_names(family)[i]);
+        CHECK(smooth_min(0.02, 0.02, k, family) == Approx(0.02 - k).epsilon(1e-14));
+        CHECK(smooth_min(-0.02, -0.02, 0.0, family) == -0.02);
+        double last = k;
+        for (double x = 0; x < 0.1; x += 1e-4) {
+            const double here = bump(x, k, family);
+            CHECK(here <= last);
+            CHECK(last - here <= 0.5 * 1e-4 + 1e-16);
+            if (x > widths[i] * k) CHECK(std::fabs(here) < 1e-16);
+            last = here;
+        }
+        CHECK(smooth_min(0.013, 0.02, k, family) == smooth_min(0.02, 0.013, k, family));
+    }
+}
+
+TEST_CASE("the exponential blend is the logarithm of a sum of powers of two, whatever the order") {
+    const double k = 0.01;
+    for (const double a : {-0.03, 0.0, 0.004})
+        for (const double b : {-0.02, 0.001, 0.3, 5.0}) {
+            CHECK(smooth_min(a, b, k, BlendFamily::exponential) ==
+                  Approx(-k * std::log2(std::exp2(-a / k) + std::exp2(-b / k))).epsilon(1e-13).margin(1e-16));
+            const double left = smooth_min(smooth_min(a, b, k, BlendFamily::exponential), 0.002, k, BlendFamily::exponential);
+            const double right = smooth_min(a, smooth_min(b, 0.002, k, BlendFamily::exponential), k, BlendFamily::exponential);
+            CHECK(left == Approx(right).margin(1e-16));
+        }
+}
+
+TEST_CASE("the circular blend of two perpendicular walls is a quarter of a circle, the chamfer a bevel of 45 degrees") {
+    // Solid left of x = 0 and below y = 0: the filled corner's outline touches both walls at the same distance.
+    const double k = 0.01, radius = k / (1 - std::sqrt(0.5));
+    for (int i = 1; i < 10; ++i) {
+        const double angle = i * 0.157;
+        const double x = radius * (1 - std::cos(angle)), y = radius * (1 - std::sin(angle));
+        CHECK(std::fabs(smooth_min(x, y, k, BlendFamily::circular)) < 1e-16);
+        CHECK(std::fabs(smooth_min(0.002 * i, 2 * k - 0.002 * i, k, BlendFamily::chamfer)) < 1e-16);
+    }
+}
+
+TEST_CASE("a smooth intersection is the dual of the smooth union") {
+    for (const double a : {-0.03, 0.0, 0.02})
+        for (const double b : {-0.02, 0.01})
+            CHECK(SmoothIntersection<double>{.k = 0.01}.combine(a, b) == -SmoothUnion<double>{.k = 0.01}.combine(-a, -b));
+}
+
+TEST_CASE("a lerp goes from its first child to its second, and an inset undoes a rounding of the same size") {
+    CHECK(Lerp<double>{.t = 0}.combine(0.3, -0.1) == 0.3);
+    CHECK(Lerp<double>{.t = 1}.combine(0.25, -0.125) == -0.125);
+    CHECK(Lerp<double>{.t = 0.25}.combine(0.25, -0.25) == 0.125);
+    CHECK(Inset<double>{.distance = 0.25}.modify(Round<double>{.radius = 0.25}.modify(0.125)) == 0.125);
+}
+
+TEST_CASE("the copies of a repetition stand about the child's own place") {
+    const Repeat<double> grid{.count = {3, 2}, .step = {0.25, 0.5}};
+    const std::vector<Similarity> images = grid.images();
+    REQUIRE(images.size() == 6);
+    CHECK(images[0] * Vec2(0, 0) == Vec2(-0.25, -0.25));
+    CHECK(images[4] * Vec2(0, 0) == Vec2(0, 0.25));
+}
+
 TEST_CASE("a smooth difference is the smooth union of the complement, complemented") {
     const SmoothUnion<double> add{.k = 0.01};
     const SmoothDifference<double> cut{.k = 0.01};

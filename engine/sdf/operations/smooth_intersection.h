@@ -1,0 +1,48 @@
+#pragma once
+#include <span>
+
+#include "engine/core/geometry.h"
+#include "engine/reflect/describe.h"
+#include "engine/sdf/blend.h"
+#include "engine/sdf/kernels.h"
+
+namespace pinfield::sdf {
+
+/// What all children have in common, its rims rounded off; folded in file order.
+template <class Real>
+struct SmoothIntersection {
+    Real k = Real(0.005);
+    BlendFamily family = BlendFamily::quadratic;
+
+    Real combine(const Real& a, const Real& b) const { return -smooth_min(-a, -b, k, family); }
+    static Real hard(const Real& a, const Real& b) { return max(a, b); }
+    Slack slack() const { return {.above = k}; }
+
+    static Exactness exactness(std::span<const Exactness> children) {
+        Exactness out = children[0];
+        for (const Exactness& child : children.subspan(1)) {
+            out.outside = out.inside = Side::bound;
+            out.lipschitz = max(out.lipschitz, child.lipschitz);
+        }
+        return out;
+    }
+    static Box2 bounds(std::span<const Box2> children) {
+        Box2 out = Box2::everything();
+        for (const Box2& child : children) out = out.intersected(child);
+        return out;
+    }
+
+    static constexpr auto describe() {
+        using T = SmoothIntersection;
+        return operation<T>({.key = "smooth_intersection",
+                             .exactness = {.outside = Side::bound, .inside = Side::bound},
+                             .children = {1, any_number},
+                             .doc = "What all children have in common, with softened rims, folded in file order."},
+                            fields(field("k", &T::k,
+                                         {.unit = Unit::metre, .min = from(0), .step = 0.0005,
+                                          .doc = "How much more is cut away where two outlines coincide."}),
+                                   field("family", &T::family, {.doc = "Profile of the rim."})));
+    }
+};
+
+}  // namespace pinfield::sdf
