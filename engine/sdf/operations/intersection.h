@@ -3,6 +3,7 @@
 
 #include "engine/core/geometry.h"
 #include "engine/reflect/describe.h"
+#include "engine/sdf/operations/fold.h"
 #include "engine/sdf/scalar.h"
 
 namespace pinfield::sdf {
@@ -21,11 +22,7 @@ struct Intersection {
         }
         return out;
     }
-    static Box2 bounds(std::span<const Box2> children) {
-        Box2 out = Box2::everything();
-        for (const Box2& child : children) out = out.intersected(child);
-        return out;
-    }
+    static Box2 bounds(std::span<const Box2> children) { return intersection_of(children); }
 
     static constexpr auto describe() {
         return operation<Intersection>({.key = "intersection",

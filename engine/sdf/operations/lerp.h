@@ -4,6 +4,7 @@
 #include "engine/core/geometry.h"
 #include "engine/reflect/describe.h"
 #include "engine/sdf/kernels.h"
+#include "engine/sdf/operations/fold.h"
 #include "engine/sdf/scalar.h"
 
 namespace pinfield::sdf {
@@ -18,16 +19,8 @@ struct Lerp {
     /// Never below the least of both, but as far above it as they differ.
     static Slack slack() { return {.above = infinity}; }
 
-    static Exactness exactness(std::span<const Exactness> children) {
-        Exactness out{Side::bound, Side::bound, children[0].lipschitz};
-        for (const Exactness& child : children) out.lipschitz = max(out.lipschitz, child.lipschitz);
-        return out;
-    }
-    static Box2 bounds(std::span<const Box2> children) {
-        Box2 out;
-        for (const Box2& child : children) out = out.merged(child);
-        return out;
-    }
+    static Exactness exactness(std::span<const Exactness> children) { return bound_of(children); }
+    static Box2 bounds(std::span<const Box2> children) { return union_of(children); }
 
     static constexpr auto describe() {
         return operation<Lerp>({.key = "lerp",

@@ -5,6 +5,7 @@
 #include "engine/reflect/describe.h"
 #include "engine/sdf/blend.h"
 #include "engine/sdf/kernels.h"
+#include "engine/sdf/operations/fold.h"
 
 namespace pinfield::sdf {
 
@@ -18,14 +19,7 @@ struct SmoothDifference {
     static Real hard(const Real& a, const Real& b) { return max(a, -b); }
     Slack slack() const { return {.above = k}; }
 
-    static Exactness exactness(std::span<const Exactness> children) {
-        Exactness out = children[0];
-        for (const Exactness& child : children.subspan(1)) {
-            out.outside = out.inside = Side::bound;
-            out.lipschitz = max(out.lipschitz, child.lipschitz);
-        }
-        return out;
-    }
+    static Exactness exactness(std::span<const Exactness> children) { return bound_of(children); }
     static Box2 bounds(std::span<const Box2> children) { return children[0]; }
 
     static constexpr auto describe() {

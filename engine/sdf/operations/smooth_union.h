@@ -5,6 +5,7 @@
 #include "engine/reflect/describe.h"
 #include "engine/sdf/blend.h"
 #include "engine/sdf/kernels.h"
+#include "engine/sdf/operations/fold.h"
 
 namespace pinfield::sdf {
 
@@ -18,20 +19,9 @@ struct SmoothUnion {
     static Real hard(const Real& a, const Real& b) { return min(a, b); }
     Slack slack() const { return {.below = k}; }
 
-    static Exactness exactness(std::span<const Exactness> children) {
-        Exactness out = children[0];
-        for (const Exactness& child : children.subspan(1)) {
-            out.outside = out.inside = Side::bound;
-            out.lipschitz = max(out.lipschitz, child.lipschitz);
-        }
-        return out;
-    }
+    static Exactness exactness(std::span<const Exactness> children) { return bound_of(children); }
     /// Each fold lowers the field by at most k, so that the solid lies where some child is below k times the number of folds.
-    Box2 bounds(std::span<const Box2> children) const {
-        Box2 out;
-        for (const Box2& child : children) out = out.merged(child);
-        return out.grown(reach(static_cast<int>(children.size())));
-    }
+    Box2 bounds(std::span<const Box2> children) const { return union_of(children).grown(reach(static_cast<int>(children.size()))); }
     double reach(int children) const { return k * (children - 1); }
 
     static constexpr auto describe() {

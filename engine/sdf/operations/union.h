@@ -3,6 +3,7 @@
 
 #include "engine/core/geometry.h"
 #include "engine/reflect/describe.h"
+#include "engine/sdf/operations/fold.h"
 #include "engine/sdf/scalar.h"
 
 namespace pinfield::sdf {
@@ -21,11 +22,7 @@ struct Union {
         }
         return out;
     }
-    static Box2 bounds(std::span<const Box2> children) {
-        Box2 out;
-        for (const Box2& child : children) out = out.merged(child);
-        return out;
-    }
+    static Box2 bounds(std::span<const Box2> children) { return union_of(children); }
 
     static constexpr auto describe() {
         return operation<Union>({.key = "union",

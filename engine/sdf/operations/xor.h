@@ -3,6 +3,7 @@
 
 #include "engine/core/geometry.h"
 #include "engine/reflect/describe.h"
+#include "engine/sdf/operations/fold.h"
 #include "engine/sdf/scalar.h"
 
 namespace pinfield::sdf {
@@ -14,19 +15,8 @@ template <class Real>
 struct Xor {
     static Real combine(const Real& a, const Real& b) { return max(min(a, b), -max(a, b)); }
 
-    static Exactness exactness(std::span<const Exactness> children) {
-        Exactness out = children[0];
-        for (const Exactness& child : children.subspan(1)) {
-            out.outside = out.inside = Side::bound;
-            out.lipschitz = max(out.lipschitz, child.lipschitz);
-        }
-        return out;
-    }
-    static Box2 bounds(std::span<const Box2> children) {
-        Box2 out;
-        for (const Box2& child : children) out = out.merged(child);
-        return out;
-    }
+    static Exactness exactness(std::span<const Exactness> children) { return bound_of(children); }
+    static Box2 bounds(std::span<const Box2> children) { return union_of(children); }
 
     static constexpr auto describe() {
         return operation<Xor>({.key = "xor",
