@@ -88,17 +88,23 @@ struct Walk {
         return all;
     }
 
+    /// What the value and its Lipschitz constant alone certify: all there is to say of a warp, whose paths are not parabolas.
+    Clearance by_value(const Op& op, int index, const Motion& motion, double margin) const {
+        const double value = evaluate_tree(field, index, motion.position).value;
+        ++evaluations;
+        return {lipschitz_step(value - margin, op.exactness.lipschitz, motion), lipschitz_step(-value - margin, op.exactness.lipschitz, motion)};
+    }
+
     Clearance of(int index, const Motion& motion, double margin) const {
         const Op& op = field.ops[at(index)];
         if (op.kernels->form == sdf::Form::shape) return leaf(op, index, motion, margin);
+        if (op.kernels->form == sdf::Form::warp) return by_value(op, index, motion, margin);
         Clearance c = op.kernels->form == sdf::Form::fold     ? fold(op, motion, margin)
                       : op.kernels->form == sdf::Form::modify ? modify(op, motion, margin)
                                                               : images(op, motion, margin);
         if (op.kernels->form == sdf::Form::fold) {  // what the children lost to the slack, the value itself may know
-            const double value = evaluate_tree(field, index, motion.position).value;
-            ++evaluations;
-            c.outside = std::max(c.outside, lipschitz_step(value - margin, op.exactness.lipschitz, motion));
-            c.inside = std::max(c.inside, lipschitz_step(-value - margin, op.exactness.lipschitz, motion));
+            const Clearance own = by_value(op, index, motion, margin);
+            c = {std::max(c.outside, own.outside), std::max(c.inside, own.inside)};
         }
         return c;
     }

@@ -115,7 +115,7 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
     for (int i = 0; i < op.child_count; ++i) {
         const Op& child =
             field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link + i)])];
-        boxes.push_back(scaled(child.bounds, 1 / op.scale));
+        boxes.push_back(op.kernels->form == sdf::Form::warp ? op.local_from_field * child.bounds : scaled(child.bounds, 1 / op.scale));
         sides.push_back(child.exactness);
     }
     op.exactness = op.kernels->exactness(params, sides);
@@ -123,6 +123,7 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
         case sdf::Form::shape: op.bounds = field_from_op * op.kernels->bounds(params); break;
         case sdf::Form::fold:
         case sdf::Form::modify: op.bounds = scaled(op.kernels->bounds_over(params, boxes), op.scale); break;
+        case sdf::Form::warp: op.bounds = field_from_op * op.kernels->bounds_over(params, boxes); break;
         case sdf::Form::images: {
             const Op& child =
                 field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link)])];

@@ -49,6 +49,7 @@ public:
         switch (op.kernels->form) {
             case sdf::Form::shape: return shape(op, p, out);
             case sdf::Form::images: return images(op, p, out);
+            case sdf::Form::warp: return warp(op, p, out);
             case sdf::Form::fold:
             case sdf::Form::modify: return combine(op, p, out);
         }
@@ -60,7 +61,7 @@ private:
     /// A node that was not built for this instruction set (one of the user's own, say) has the baseline's kernels.
     sdf::PacketKernels packets(const Op& op) const {
         const sdf::PacketKernels& own = op.kernels->packets[isa_];
-        return own.distance || own.combine ? own : op.kernels->packets[static_cast<std::size_t>(sdf::Isa::sse2)];
+        return own.distance || own.combine || own.warp ? own : op.kernels->packets[static_cast<std::size_t>(sdf::Isa::sse2)];
     }
 
     void shape(const Op& op, const Points& p, Row& out) const {
@@ -82,6 +83,16 @@ private:
             kernel(params(op), out.data(), next.data(), p.n);
         }
         scale_row(out.data(), p.n, op.scale);
+    }
+
+    void warp(const Op& op, const Points& p, Row& out) const {
+        Row x, y, lift, there_x, there_y;
+        transform(op.local_from_field, p, x, y);
+        packets(op).warp(params(op), x.data(), y.data(), lift.data(), p.n);
+        transform(op.local_from_field.inverse(), {x.data(), y.data(), p.n}, there_x, there_y);
+        value(child(op, 0), {there_x.data(), there_y.data(), p.n}, out);
+        const float factor = static_cast<float>(op.kernels->factor(params(op))), scale = static_cast<float>(op.scale);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(p.n); ++i) out[i] = factor * out[i] + scale * lift[i];
     }
 
     void images(const Op& op, const Points& p, Row& out) const {

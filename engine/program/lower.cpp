@@ -30,6 +30,7 @@ bool is_boolean(const sdf::Kernels& kernels, const double* params) {
             return !affine.absolute && affine.offset == 0;
         }
         case Form::images: return true;
+        case Form::warp: return false;
     }
     return false;
 }
@@ -85,6 +86,7 @@ double membership(const Field& field, int index, const std::vector<char>& in_lea
             for (int i = 0; i < op.image_count; ++i) value = std::min(value, child(0));
             return value;
         }
+        case Form::warp: break;  // never lowered
     }
     return 1;
 }

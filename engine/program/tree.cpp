@@ -93,6 +93,24 @@ Traced trace_images(const Field& field, const Op& op, const Vec2& p) {
     return best;
 }
 
+double warp_value(const Field& field, const Op& op, const Vec2& p) {
+    const double* params = params_of(field, op);
+    const Vec2 local = op.local_from_field * p, there = op.local_from_field.inverse() * op.kernels->warp(params, local);
+    return op.kernels->factor(params) * tree_value(field, child_of(field, op, 0), there) + op.kernels->lift(params, local) * op.scale;
+}
+
+Traced trace_warp(const Field& field, const Op& op, const Vec2& p) {
+    const double* params = params_of(field, op);
+    const double factor = op.kernels->factor(params);
+    const Similarity field_from_local = op.local_from_field.inverse();
+    const sdf::Warped warped = op.kernels->warped(params, op.local_from_field * p);
+    Traced out = trace(field, child_of(field, op, 0), field_from_local * warped.point);
+    out.sample.value = factor * out.sample.value + warped.lift * op.scale;
+    out.sample.gradient =
+        direction_before(op.local_from_field, warped.gradient(factor, direction_before(field_from_local, out.sample.gradient)));
+    return out;
+}
+
 Traced trace(const Field& field, int index, const Vec2& p) {
     const Op& op = op_at(field, index);
     switch (op.kernels->form) {
@@ -100,8 +118,9 @@ Traced trace(const Field& field, int index, const Vec2& p) {
         case Form::fold: return trace_fold(field, op, p);
         case Form::modify: return trace_modify(field, op, p);
         case Form::images: return trace_images(field, op, p);
+        case Form::warp: return trace_warp(field, op, p);
     }
-    assert(false && "an op has one of the four forms");
+    assert(false && "an op has one of the five forms");
     return {};
 }
 
@@ -119,8 +138,9 @@ double tree_value(const Field& field, int index, const Vec2& p) {
             return op.kernels->modify(params_of(field, op), tree_value(field, child_of(field, op, 0), p) / op.scale) *
                    op.scale;
         case Form::images: return images_value(field, op, p);
+        case Form::warp: return warp_value(field, op, p);
     }
-    assert(false && "an op has one of the four forms");
+    assert(false && "an op has one of the five forms");
     return infinity;
 }
 

@@ -14,8 +14,11 @@
 #include "engine/sdf/nodes/star.h"
 #include "engine/sdf/nodes/triangle.h"
 #include "engine/sdf/nodes/uneven_capsule.h"
+#include "engine/sdf/operations/bend.h"
 #include "engine/sdf/operations/complement.h"
 #include "engine/sdf/operations/difference.h"
+#include "engine/sdf/operations/displace.h"
+#include "engine/sdf/operations/elongate.h"
 #include "engine/sdf/operations/inset.h"
 #include "engine/sdf/operations/intersection.h"
 #include "engine/sdf/operations/lerp.h"
@@ -27,6 +30,8 @@
 #include "engine/sdf/operations/smooth_difference.h"
 #include "engine/sdf/operations/smooth_intersection.h"
 #include "engine/sdf/operations/smooth_union.h"
+#include "engine/sdf/operations/stretch.h"
+#include "engine/sdf/operations/twist.h"
 #include "engine/sdf/operations/union.h"
 #include "engine/sdf/operations/xor.h"
 
@@ -43,6 +48,6 @@ using BuiltIn = NodeList<
     Pie, Moon,
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
-    Onion, Mirror, Repeat, RepeatPolar>;
+    Onion, Mirror, Repeat, RepeatPolar, Elongate, Stretch, Twist, Bend, Displace>;
 
 }  // namespace pinfield::sdf

@@ -29,6 +29,7 @@ inline bool operator>(const Dual& a, const Dual& b) { return a.v > b.v; }
 inline bool operator<=(const Dual& a, const Dual& b) { return a.v <= b.v; }
 inline bool operator>=(const Dual& a, const Dual& b) { return a.v >= b.v; }
 inline Dual abs(const Dual& a) { return a.v < 0 ? -a : a; }
+inline Dual floor(const Dual& a) { return Dual(std::floor(a.v)); }
 inline Dual min(const Dual& a, const Dual& b) { return b.v < a.v ? b : a; }
 inline Dual max(const Dual& a, const Dual& b) { return a.v < b.v ? b : a; }
 inline double frozen(const Dual& a) { return a.v; }

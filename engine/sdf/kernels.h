@@ -43,16 +43,33 @@ struct Slack {
 
 /// shape: a distance of its own. fold: combines its children's fields pairwise in file order.
 /// modify: changes its only child's field. images: its only child, seen through a list of isometries, united.
-enum class Form : unsigned char { shape, fold, modify, images };
+/// warp: its only child, asked at another point: f(p) = factor * child(warp(p)) + lift(p).
+enum class Form : unsigned char { shape, fold, modify, images, warp };
+
+/// Where a warp sends a point, what it adds there, and the derivatives of both: `from_x` and `from_y` are those of the point along x
+/// and along y.
+struct Warped {
+    Vec2 point, from_x, from_y;
+    double lift = 0;
+    Vec2 lift_gradient{0, 0};
+
+    Vec2 gradient(double factor, const Vec2& of_child) const {
+        return factor * Vec2(pinfield::dot(from_x, of_child), pinfield::dot(from_y, of_child)) + lift_gradient;
+    }
+};
 
 /// n values (any n >= 0; arrays need no padding) in local coordinates.
 using PacketDistance = void (*)(const double* params, const float* x, const float* y, float* distance, int n);
 /// a[i] = combine(a[i], b[i]); a modify kernel ignores b.
 using PacketCombine = void (*)(const double* params, float* a, const float* b, int n);
 
+/// (x, y) = warp(x, y) and lift = lift(x, y) of the points that came in.
+using PacketWarp = void (*)(const double* params, float* x, float* y, float* lift, int n);
+
 struct PacketKernels {
     PacketDistance distance = nullptr;
     PacketCombine combine = nullptr;
+    PacketWarp warp = nullptr;
 };
 
 /// `params` is the node's packed block after derive().
@@ -78,7 +95,7 @@ struct Kernels {
     Clearance (*combine_clearance)(const double* params, const Clearance& a, const Clearance& b) = nullptr;
     double (*combine_hard)(const double* params, double a, double b) = nullptr;  ///< the lattice counterpart
     Slack (*slack)(const double* params) = nullptr;
-    // fold and modify
+    // fold, modify and warp; a warp's boxes are in its local frame
     Box2 (*bounds_over)(const double* params, std::span<const Box2> children) = nullptr;
     /// How far, in metres of field, the solid may spread over where its children are solid: it lies where some child's field is below
     /// this. bounds_over() grows its boxes by as much, which is enough where that field is the exact distance; over a child
@@ -91,6 +108,12 @@ struct Kernels {
 
     // images: local_from_image maps a point as the child has it to where the image has it
     std::vector<Similarity> (*images)(const double* params) = nullptr;
+
+    // warp
+    Vec2 (*warp)(const double* params, const Vec2& p) = nullptr;
+    double (*lift)(const double* params, const Vec2& p) = nullptr;
+    Warped (*warped)(const double* params, const Vec2& p) = nullptr;
+    double (*factor)(const double* params) = nullptr;
 };
 
 }  // namespace pinfield::sdf

@@ -20,6 +20,8 @@ template <class T>
 concept IsModify = requires(const T& node, double d) { { node.modify(d) } -> std::same_as<double>; };
 template <class T>
 concept IsImages = requires(const T& node) { { node.images() } -> std::same_as<std::vector<Similarity>>; };
+template <class T>
+concept IsWarp = requires(const T& node, const Point<double>& p) { { node.warp(p) } -> std::same_as<Point<double>>; };
 /// A fold that is not itself made of min, max and minus names the counterpart that is, and how far it strays from it.
 template <class T>
 concept HasHard = requires(const T& node, double d) { { node.hard(d, d) } -> std::same_as<double>; };
@@ -102,6 +104,29 @@ void fill_modify(Kernels& k) {
     k.affine = [](const double* params) { return load<T>(params).affine(); };
 }
 
+template <template <class> class N>
+void fill_warp(Kernels& k) {
+    using T = N<double>;
+    k.form = Form::warp;
+    k.warp = [](const double* params, const Vec2& p) {
+        const Point<double> q = load<T>(params).warp({p.x(), p.y()});
+        return Vec2(q.x, q.y);
+    };
+    k.lift = [](const double* params, const Vec2& p) {
+        return lift_of<T, double>(load<T>(params), Point<double>{p.x(), p.y()});
+    };
+    k.warped = [](const double* params, const Vec2& p) -> Warped {
+        const auto node = load<N<Dual>>(params);
+        const Point<Dual> at{Dual(p.x(), 1, 0), Dual(p.y(), 0, 1)}, q = node.warp(at);
+        const Dual lift = lift_of<N<Dual>, Dual>(node, at);
+        return {{q.x.v, q.y.v}, {q.x.dx, q.y.dx}, {q.x.dy, q.y.dy}, lift.v, {lift.dx, lift.dy}};
+    };
+    k.factor = [](const double* params) {
+        if constexpr (requires(const T& node) { node.factor(); }) return load<T>(params).factor();
+        else return 1.0;
+    };
+}
+
 }  // namespace detail
 
 /// The dispatch table of node template N, with the packet kernels of the baseline instruction set.
@@ -128,8 +153,9 @@ const Kernels& kernels_of() {
                 if constexpr (requires(const T& node) { { node.reach(1) } -> std::same_as<double>; })
                     k.reach = [](const double* params, int children) { return load<T>(params).reach(children); };
                 if constexpr (IsFold<T>) detail::fill_fold<N>(k);
+                else if constexpr (IsWarp<T>) detail::fill_warp<N>(k);
                 else {
-                    static_assert(IsModify<T>, "an operation has combine(), modify() or images()");
+                    static_assert(IsModify<T>, "an operation has combine(), modify(), images() or warp()");
                     detail::fill_modify<N>(k);
                 }
             }

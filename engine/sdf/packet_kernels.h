@@ -49,6 +49,27 @@ void packet_combine(const double* params, float* a, const float* b, int n) {
     for (int j = 0; i + j < n; ++j) a[i + j] = tail_a[j];
 }
 
+template <class T, class P>
+P lift_of(const T& node, const Point<P>& p) {
+    if constexpr (requires { node.lift(p); }) return node.lift(p);
+    else return P(0);
+}
+
+template <class T, class P>
+void packet_warp(const double* params, float* x, float* y, float* lift, int n) {
+    const T node = load<T>(params);
+    for (int i = 0; i < n; i += P::width) {
+        float in_x[P::width] = {}, in_y[P::width] = {}, out[P::width];
+        const int lanes = n - i < P::width ? n - i : P::width;
+        for (int j = 0; j < lanes; ++j) in_x[j] = x[i + j], in_y[j] = y[i + j];
+        const Point<P> p{P::load(in_x), P::load(in_y)}, q = node.warp(p);
+        lift_of<T, P>(node, p).store(out);
+        q.x.store(in_x);
+        q.y.store(in_y);
+        for (int j = 0; j < lanes; ++j) x[i + j] = in_x[j], y[i + j] = in_y[j], lift[i + j] = out[j];
+    }
+}
+
 template <template <class> class N, class P>
 PacketKernels packet_kernels() {
     using T = N<P>;
@@ -58,6 +79,7 @@ PacketKernels packet_kernels() {
     else if constexpr (requires(const T& node, const P& d) { node.combine(d, d); } ||
                        requires(const T& node, const P& d) { node.modify(d); })
         k.combine = packet_combine<T, P>;
+    else if constexpr (requires(const T& node, const Point<P>& p) { node.warp(p); }) k.warp = packet_warp<T, P>;
     return k;
 }
 

@@ -56,6 +56,7 @@ TEST_CASE("each law catches the fault it is for") {
     CHECK(complains(complaints<SlackTooSmall>(), "a fold strays no further than its slack"));
     CHECK(complains(complaints<WrongPartials>(), "a fold's partial derivatives are its differences"));
     CHECK(complains(complaints<WrongAffine>(), "a modifier is what its affine form says"));
+    CHECK(complains(complaints<WarpPacketsOff>(), "a warp's packets send points where the warp does"));
 
     // The two laws whose faults sit in the kernels, not in a formula.
     Catalogue catalogue;

@@ -206,4 +206,15 @@ struct WrongAffine {
     }
 };
 
+/// Sends its packets through a large sum that its doubles survive.
+template <class Real>
+struct WarpPacketsOff {
+    static Point<Real> warp(const Point<Real>& p) { return {p.x + Real(10) - Real(10), p.y}; }
+    static Exactness exactness(std::span<const Exactness>) { return {Side::bound, Side::bound}; }
+    static Box2 bounds(std::span<const Box2> children) { return children[0]; }
+    static constexpr auto describe() {
+        return operation<WarpPacketsOff>({.key = "warp_packets_off", .exactness = {Side::bound, Side::bound}, .children = {1, 1}}, fields());
+    }
+};
+
 }  // namespace pinfield::sdf::faulty

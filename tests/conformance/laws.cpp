@@ -28,6 +28,7 @@ constexpr std::array all_laws{
     Law{"the foot point is on the outline where the distance is exact", foot_point_is_on_the_outline_where_exact},
     Law{"packets are the value within the declared float error", packets_are_the_value_within_float_error},
     Law{"every instruction set gives the same bits", every_instruction_set_gives_the_same_bits},
+    Law{"a warp's packets send points where the warp does", warp_packets_are_the_warp},
     Law{"a fold strays no further than its slack", fold_strays_no_further_than_its_slack},
     Law{"a fold's partial derivatives are its differences", fold_partials_are_weights_of_differences},
     Law{"a modifier is what its affine form says", modify_is_what_its_affine_form_says},

@@ -78,6 +78,7 @@ void foot_point_is_on_the_outline_where_exact(const Trial& trial);
 
 void packets_are_the_value_within_float_error(const Trial& trial);
 void every_instruction_set_gives_the_same_bits(const Trial& trial);
+void warp_packets_are_the_warp(const Trial& trial);
 void fold_strays_no_further_than_its_slack(const Trial& trial);
 void fold_partials_are_weights_of_differences(const Trial& trial);
 void modify_is_what_its_affine_form_says(const Trial& trial);

@@ -43,15 +43,18 @@ std::vector<float> run(const Subject& subject, sdf::Isa isa, const std::vector<f
 struct Floats {
     std::vector<float> a, b;
 };
+Floats points_in_floats(const Trial& trial) {
+    Floats out;
+    for (const Vec2& p : trial.points) {
+        out.a.push_back(static_cast<float>(p.x()));
+        out.b.push_back(static_cast<float>(p.y()));
+    }
+    return out;
+}
+
 Floats packet_input(const Trial& trial) {
     Floats out;
-    if (trial.subject.is_shape()) {
-        for (const Vec2& p : trial.points) {
-            out.a.push_back(static_cast<float>(p.x()));
-            out.b.push_back(static_cast<float>(p.y()));
-        }
-        return out;
-    }
+    if (trial.subject.is_shape()) return points_in_floats(trial);
     const Operands pairs = operands(trial.extent);
     out.a.assign(pairs.a.begin(), pairs.a.end());
     out.b.assign(pairs.b.begin(), pairs.b.end());
@@ -65,6 +68,18 @@ double in_double(const Subject& subject, double a, double b) {
         case sdf::Form::fold: return k.combine(subject.params(), a, b);
         default: return k.modify(subject.params(), a);
     }
+}
+
+/// Where packets of one instruction set send the points, and what they lift there.
+struct Floats3 {
+    std::vector<float> x, y, lift;
+};
+Floats3 warp(const Subject& subject, sdf::Isa isa, const Floats& points) {
+    const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
+    if (isa > sdf::best_isa() || !k.warp) return {};
+    Floats3 out{points.a, points.b, std::vector<float>(points.a.size())};
+    k.warp(subject.params(), out.x.data(), out.y.data(), out.lift.data(), static_cast<int>(out.x.size()));
+    return out;
 }
 
 }  // namespace
@@ -97,6 +112,27 @@ void every_instruction_set_gives_the_same_bits(const Trial& trial) {
             for (std::size_t i = 0; i < results.size(); ++i)
                 if (std::bit_cast<std::uint32_t>(results[i]) != std::bit_cast<std::uint32_t>(all[i]))
                     trial.report(fmt::format("isa {}, lane {} of {}: {} for {}", isa, i, n, results[i], all[i]));
+        }
+    }
+}
+
+/// Within the float error of what is seen of it: a miss counts by as much as the child's field is multiplied.
+void warp_packets_are_the_warp(const Trial& trial) {
+    const sdf::Kernels& k = trial.subject.kernels();
+    if (k.form != sdf::Form::warp) return;
+    const Floats points = points_in_floats(trial);
+    const Floats3 baseline = warp(trial.subject, sdf::Isa::sse2, points);
+    for (int isa = 0; isa < sdf::isa_count; ++isa) {
+        const Floats3 found = warp(trial.subject, static_cast<sdf::Isa>(isa), points);
+        for (std::size_t i = 0; i < found.x.size(); ++i) {
+            const Vec2 p(points.a[i], points.b[i]), q(found.x[i], found.y[i]);
+            const double limit = trial.subject.type().meta.float_error * std::max(trial.extent, length(p));
+            if (!(k.factor(trial.subject.params()) * length(q - k.warp(trial.subject.params(), p)) <= limit) ||
+                !(std::fabs(found.lift[i] - k.lift(trial.subject.params(), p)) <= limit))
+                trial.report(fmt::format("isa {} of ({}, {})", isa, p.x(), p.y()));
+            if (std::bit_cast<std::uint32_t>(found.x[i]) != std::bit_cast<std::uint32_t>(baseline.x[i]) ||
+                std::bit_cast<std::uint32_t>(found.lift[i]) != std::bit_cast<std::uint32_t>(baseline.lift[i]))
+                trial.report(fmt::format("isa {} of ({}, {}): other bits", isa, p.x(), p.y()));
         }
     }
 }

@@ -67,6 +67,11 @@ sdf::Sample Subject::local_sample(const Vec2& p) const {
         }
         return best;
     }
+    if (k.form == sdf::Form::warp) {
+        const sdf::Warped warped = k.warped(params(), p);
+        const sdf::Sample s = children_[0].sample(warped.point);
+        return {k.factor(params()) * s.value + warped.lift, warped.gradient(k.factor(params()), s.gradient)};
+    }
     sdf::Sample sum = children_[0].sample(p);
     if (k.form == sdf::Form::modify) {
         const sdf::Affine affine = k.affine(params());
@@ -93,7 +98,8 @@ Box2 Subject::bounds_of_isoline(double level) const {
     if (k.form == sdf::Form::shape) return parent_from_local_ * k.bounds(params()).grown(local_level);
     const double reach = k.reach ? k.reach(params(), static_cast<int>(children_.size())) : 0;
     std::vector<Box2> below;
-    for (const Subject& child : children_) below.push_back(child.bounds_of_isoline(local_level + reach));
+    const double factor = k.form == sdf::Form::warp ? k.factor(params()) : 1;
+    for (const Subject& child : children_) below.push_back(child.bounds_of_isoline(local_level / factor + reach));
     if (k.form == sdf::Form::images) {
         Box2 out;
         for (const Similarity& local_from_image : k.images(params())) out = out.merged(local_from_image * below[0]);
@@ -119,6 +125,7 @@ bool Subject::keeps_outlines() const {
         if (k.outline) k.outline(params(), pieces);
         return !pieces.empty();
     }
+    if (k.form == sdf::Form::warp) return false;
     if (k.form == sdf::Form::modify) {
         const sdf::Affine affine = k.affine(params());
         if (affine.offset != 0 || affine.absolute) return false;
