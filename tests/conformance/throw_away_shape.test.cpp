@@ -11,38 +11,9 @@
 #include "engine/program/evaluate.h"
 #include "engine/program/patch.h"
 #include "engine/program/raster.h"
-#include "engine/scene/catalog.h"
-#include "engine/sdf/make_kernels.h"
 #include "engine/sdf/register.h"
 #include "tests/conformance/laws.h"
-
-namespace pinfield::sdf {
-namespace {
-
-/// Two discs side by side, a shape the engine has never heard of. They may touch, not overlap: then it is exact on both sides.
-template <class Real>
-struct Spectacles {
-    Real radius = Real(0.02);
-    Real gap = Real(0.03);
-
-    Real distance(const Point<Real>& p) const {
-        const Point<Real> folded{abs(p.x) - (radius + gap * Real(0.5)), p.y};
-        return norm(folded) - radius;
-    }
-    Box2 bounds() const { return Box2::centred(2 * radius + 0.5 * gap, radius); }
-    void outline(Outline& out) const {
-        for (const double side : {-1.0, 1.0}) out.push_back(Piece::circle({side * (radius + 0.5 * gap), 0}, radius));
-    }
-
-    static constexpr auto describe() {
-        return shape<Spectacles>({.key = "spectacles", .doc = "Two discs side by side."},
-                                 fields(field("radius", &Spectacles::radius, {.unit = Unit::metre, .min = above(0), .doc = "Of each disc."}),
-                                        field("gap", &Spectacles::gap, {.unit = Unit::metre, .min = from(0), .doc = "Between them."})));
-    }
-};
-
-}  // namespace
-}  // namespace pinfield::sdf
+#include "tests/conformance/spectacles.h"
 
 namespace pinfield::conformance {
 
@@ -58,22 +29,11 @@ TEST_CASE("a shape that a program adds of its own goes through every law") {
 
 namespace {
 
-/// The built-in catalogue and the shape that only this file knows.
-std::shared_ptr<const Catalogue> extended_catalogue() {
-    auto catalogue = std::make_shared<Catalogue>(built_in_catalogue());
-    add_scene_type(*catalogue, sdf::sdf_node_type<sdf::Spectacles>());
-    return catalogue;
-}
-
-constexpr const char* table_text =
-    "pinfield: 1\n"
-    "table: {size: [0.2, 0.2]}\n"
-    "scene:\n"
-    "  - spectacles: {id: nose, at: [0.1, 0.1], radius: 18mm, gap: 14mm}  # kept\n";
+using test::catalogue_with_spectacles;
 
 struct Loaded {
-    std::shared_ptr<const SourceText> source = std::make_shared<SourceText>("spectacles.yaml", table_text);
-    ReadResult read = read_table(source, extended_catalogue());
+    std::shared_ptr<const SourceText> source = std::make_shared<SourceText>("spectacles.yaml", test::spectacles_table);
+    ReadResult read = read_table(source, catalogue_with_spectacles());
 };
 
 }  // namespace
@@ -87,10 +47,10 @@ TEST_CASE("a shape that a program adds of its own is read, refused, written, des
     CHECK(node->get<double>("gap") == 0.014);
 
     const auto wrong = std::make_shared<SourceText>("wrong.yaml", "pinfield: 1\nscene:\n  - spectacles: {radius: 0, gpa: 1}\n");
-    CHECK(read_table(wrong, extended_catalogue()).diagnostics.size() == 2);
+    CHECK(read_table(wrong, catalogue_with_spectacles()).diagnostics.size() == 2);
 
     const auto again = std::make_shared<SourceText>("again.yaml", write_table(scene));
-    CHECK(read_table(again, extended_catalogue()).scene.same_content(scene));
+    CHECK(read_table(again, catalogue_with_spectacles()).scene.same_content(scene));
     CHECK(json_schema(scene.catalogue()).find("\"spectacles\"") != std::string::npos);
     CHECK(reference_json(referenced_types(scene.catalogue(), "spectacles")).find("Of each disc.") != std::string::npos);
 

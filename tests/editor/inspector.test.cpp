@@ -1,0 +1,121 @@
+// The inspector as a person sees and uses it, in a frame without a window.
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <functional>
+
+#include "editor/panels/ui.h"
+#include "tests/conformance/spectacles.h"
+#include "tests/editor/screen_text.h"
+#include "tests/editor/support.h"
+
+using namespace pinfield;
+using namespace pinfield::editor;
+using namespace pinfield::editor::test;
+
+namespace {
+
+const ImVec2 panel_size{340, 700};
+
+/// An inspector alone on a screen of its own size.
+class Inspector {
+public:
+    Inspector(std::shared_ptr<const Catalogue> known, const std::string& table)
+        : state_(known, *Document::open(folder_.write("table.yaml", table), known)) {
+        ImGui::CreateContext();
+        ImGui::GetIO().IniFilename = nullptr;
+        ImGui::GetIO().DisplaySize = panel_size;
+        ui_.theme = make_theme(1, 14);
+        unsigned char* pixels = nullptr;
+        int width = 0, height = 0;
+        ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    }
+    ~Inspector() { ImGui::DestroyContext(); }
+    Inspector(const Inspector&) = delete;
+    Inspector& operator=(const Inspector&) = delete;
+
+    AppState& state() { return state_; }
+    void select(std::string_view id) { state_.selection = id_of(state_.document, id); }
+
+    const std::vector<ScreenText>& frame() {
+        ImGui::GetIO().DeltaTime = 1.0f / 60;
+        ImGui::NewFrame();
+        inspector_panel(state_, ui_, {0, 0}, panel_size);
+        ImGui::Render();
+        return seen_ = screen_texts();
+    }
+    const ScreenText* find(std::string_view text) const {
+        const auto found = std::find_if(seen_.begin(), seen_.end(), [&](const ScreenText& t) { return t.text == text; });
+        return found == seen_.end() ? nullptr : &*found;
+    }
+    void drag(const ImVec2& from, float pixels) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.MousePos = from;
+        frame();
+        io.MouseDown[0] = true;
+        frame();
+        for (const float share : {0.3f, 0.7f, 1.0f}) {
+            io.MousePos = {from.x + share * pixels, from.y};
+            frame();
+        }
+        io.MouseDown[0] = false;
+        frame();
+    }
+    std::string all() const {
+        std::string out;
+        for (const ScreenText& t : seen_) out += "[" + t.text + "]";
+        return out;
+    }
+
+private:
+    Folder folder_;
+    AppState state_;
+    Ui ui_;
+    std::vector<ScreenText> seen_;
+};
+
+}  // namespace
+
+TEST_CASE("a shape that a program adds of its own has its fields in the inspector, where they can be dragged") {
+    Inspector inspector(pinfield::test::catalogue_with_spectacles(), pinfield::test::spectacles_table);
+    inspector.select("nose");
+    inspector.frame();
+    INFO(inspector.all());
+    for (const char* text : {"nose", "spectacles", "Two discs side by side.", "radius", "gap", "18", "14", "line 4"}) {
+        INFO(text);
+        CHECK(inspector.find(text));
+    }
+
+    const ScreenText* gap = inspector.find("14");
+    REQUIRE(gap);
+    inspector.drag({gap->at.x + 4, gap->at.y + 6}, 40);
+    const Node& nose = *inspector.state().document.scene().find("nose");
+    CHECK(nose.get<double>("gap") > 0.014);
+    CHECK(nose.get<double>("radius") == 0.018);
+    const std::string text = inspector.state().document.source().text();
+    CHECK(changed_lines(text, pinfield::test::spectacles_table) == 1);
+    CHECK(text.ends_with("}  # kept\n"));
+}
+
+TEST_CASE("the inspector has a row for every field of every kind of node") {
+    std::string table = "pinfield: 1\nscene:\n";
+    for (const NodeType& type : catalogue()->types())
+        if (type.meta.kind == NodeKind::shape && !std::any_of(type.fields.begin(), type.fields.end(), [](const FieldType& f) { return f.meta.required; }))
+            table += "  - " + std::string(type.key()) + ": {id: the_" + std::string(type.key()) + "}\n";
+    Inspector inspector(catalogue(), table);
+    int tried = 0;
+    for (const NodeType& type : catalogue()->types()) {
+        inspector.select("the_" + std::string(type.key()));
+        if (!inspector.state().selection) continue;
+        inspector.frame();
+        ++tried;
+        INFO(type.key() << ": " << inspector.all());
+        for (const FieldType& field : type.fields) {
+            std::string label(field.key);
+            std::replace(label.begin(), label.end(), '_', ' ');
+            INFO(label);
+            CHECK(inspector.find(label));
+        }
+    }
+    CHECK(tried > 10);
+}
