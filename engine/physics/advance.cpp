@@ -234,7 +234,9 @@ private:
             replan_ball(i);
             return;
         }
-        if (w_.movers[m].inverse_inertia == 0)
+        const bool jams = w_.movers[m].inverse_inertia == 0 && !w_.work[i].jammed;
+        w_.work[i].jammed = w_.work[i].jammed || jams;
+        if (jams && w_.balls_before[i].state != BallState::jammed)
             w_.events.push_back({w_.tick, w_.start_time() + w_.work[i].time, EventKind::jam, w_.balls[i].id,
                                  w_.program().parts[at(w_.program().movers[m].part)].origin, w_.balls[i].position, {0, 0}, 0});
         stall(m);

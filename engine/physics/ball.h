@@ -13,7 +13,7 @@ enum class BallState : unsigned char {
     resting,      ///< in contact and still: its bits do not change
     drained,      ///< out of play until put back
     quarantined,  ///< not finite: taken out of the simulation, an event tells
-    jammed        ///< pinched between movers that do not yield: frozen, an event tells
+    jammed        ///< pinched by a mover that does not yield: it stood still for the tick, an event tells when that begins
 };
 
 struct Ball {

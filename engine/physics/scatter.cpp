@@ -1,7 +1,10 @@
 #include "engine/physics/scatter.h"
 
+#include <algorithm>
+
 #include "engine/core/rng.h"
 #include "engine/core/trig.h"
+#include "engine/physics/mechanisms/mechanism.h"
 
 namespace pinfield {
 
@@ -15,6 +18,7 @@ int scatter_balls(World& world, int n, double speed, std::uint64_t seed) {
     for (int tries = 0; placed < n && tries < most_tries * n; ++tries) {
         const Vec2 p(rng.in(0, program.size.x()), rng.in(0, program.size.y()));
         if (gap_at(world, p).distance < r + spare) continue;
+        if (std::any_of(program.sensors.begin(), program.sensors.end(), [&](const Sensor& s) { return drains(program, s, p); })) continue;
         const SineCosine direction = sine_cosine(rng.in(0, two_pi));
         world.add_ball(p, speed * Vec2(direction.cosine, direction.sine));
         ++placed;

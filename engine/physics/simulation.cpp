@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/program/evaluate.h"
-#include "engine/program/parts.h"
 
 namespace pinfield {
 
@@ -12,18 +11,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;  // for the report only; nothing in the simulation reads it
 
-/// Is p outside the domain: in the solid that is everything around it?
-bool outside_domain(const Program& program, const Vec2& p, int solid) {
-    const Solid& found = program.fixed.solids[static_cast<std::size_t>(solid)];
-    const bool boundary = found.part < 0 ? !found.bounds.is_finite() : program.parts[static_cast<std::size_t>(found.part)].is<parts::Domain>();
-    return boundary && nearest_of_solid(program.fixed, solid, p).distance < 0;
-}
-
-bool escaped(const World& world, const Ball& ball, double distance) {
-    if (distance < -world.program().physics.ball_radius) return true;
+bool escaped(const Program& program, const Ball& ball, double distance) {
+    if (distance < -program.physics.ball_radius) return true;
     if (distance >= 0) return false;
-    for (std::size_t s = 0; s < world.program().fixed.solids.size(); ++s)
-        if (outside_domain(world.program(), ball.position, static_cast<int>(s))) return true;
+    const std::vector<Solid>& solids = program.fixed.solids;
+    for (std::size_t s = 0; s < solids.size(); ++s)
+        if (solids[s].is_domain && (solids[s].layers & ball.layer) && nearest_of_solid(program.fixed, static_cast<int>(s), ball.position).distance < 0)
+            return true;
     return false;
 }
 
@@ -44,7 +38,7 @@ public:
             if (ball.state == BallState::quarantined || ball.state == BallState::drained) continue;
             const double distance = gap_at(world.program(), q_, ball.position, ball.layer, 2 * r).distance;
             summary_.max_penetration = std::max(summary_.max_penetration, r - distance);
-            if (i < escaped_.size() && !escaped_[i] && escaped(world, ball, distance)) {
+            if (i < escaped_.size() && !escaped_[i] && escaped(world.program(), ball, distance)) {
                 escaped_[i] = true;
                 ++summary_.escaped;
             }

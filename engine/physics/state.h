@@ -35,6 +35,7 @@ struct BallWork {
     std::int64_t slide_tick = -2;
     std::int64_t last_moved = 0; ///< tick in which its bits last changed
     bool embedded = false;       ///< an edit put it into a solid: it is being let out
+    bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
     bool waiting = false;        ///< to be put back as soon as no mover stands where it starts
 
     // Its earliest event, for balls whose ticks are run together.

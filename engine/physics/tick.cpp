@@ -36,7 +36,7 @@ void begin_tick(WorldState& w, std::size_t i) {
     BallWork& work = w.work[i];
     work.time = work.travelled = 0;
     work.impacts = 0;
-    work.frozen = false;
+    work.frozen = work.jammed = false;
     Vec2 acceleration = w.physics.gravity;
     filter_accelerations(w, i, acceleration);
     Vec2 velocity = w.balls[i].velocity;
@@ -231,6 +231,7 @@ void run_tick(WorldState& w) {
         if (w.work[i].waiting) try_put_back(w, i);
     w.balls_before = w.balls;
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
+        if (w.balls[i].state == BallState::jammed) w.balls[i].state = BallState::rolling;  // it tries again
         if (!w.in_play(i)) continue;
         if (w.balls[i].state == BallState::resting && mover_near(w, i, 0, true)) w.balls[i].state = BallState::rolling;
         begin_tick(w, i);
@@ -242,6 +243,7 @@ void run_tick(WorldState& w) {
         filter_positions(w, i);
         if (!w.program().sensors.empty() && w.in_play(i)) check_drains(w, i);
         rest_or_wake(w, i);
+        if (w.work[i].jammed && w.in_play(i)) w.balls[i].state = BallState::jammed;
     }
     order_events(w.events);
     w.stats.sweeps = w.sweeps.sweeps;

@@ -149,8 +149,9 @@ int Emitter::material_of(NodeId id) const {
 }
 
 /// The field's only solid, from its last op down.
-void finish(Field& field, NodeId origin, LayerMask layers, bool visible) {
+void finish(Field& field, NodeId origin, LayerMask layers, bool visible, bool is_domain) {
     Solid solid;
+    solid.is_domain = is_domain;
     solid.root = static_cast<int>(field.ops.size()) - 1;
     solid.bounds = field.ops.back().bounds;
     solid.origin = origin;
@@ -201,7 +202,7 @@ Field cook_solid(Kitchen& kitchen, const Item& item, const Similarity& field_fro
         item.is_part ? emitter.emit_part_shape(node, field_from_node) : emitter.emit_node(item.node, field_from_node);
     if (shape < 0) return field;
     if (item.role == Role::boundary) emitter.emit_implied<sdf::Complement>(item.node, field_from_node, {shape});
-    finish(field, item.node, layers_of(kitchen, item.node), is_visible(kitchen.scene, item.node));
+    finish(field, item.node, layers_of(kitchen, item.node), is_visible(kitchen.scene, item.node), item.role == Role::boundary);
     return field;
 }
 
@@ -219,7 +220,7 @@ Field cook_default_domain(Kitchen& kitchen, LayerMask layers) {
     const Similarity world_from_box = Similarity::translation(0.5 * Vec2(info.size.x, info.size.y));
     const int shape = emitter.emit(*type.kernels, std::move(block), table.id, world_from_box, {});
     emitter.emit_implied<sdf::Complement>(table.id, world_from_box, {shape});
-    finish(field, table.id, layers, true);
+    finish(field, table.id, layers, true, true);
     return field;
 }
 

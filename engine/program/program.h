@@ -44,6 +44,7 @@ struct Solid {
     int part = -1;        ///< index into Program::parts, or -1
     LayerMask layers = ground_layer;
     bool visible = true;
+    bool is_domain = false;  ///< what lies outside the space where balls may be
     bool lowered = false; ///< its boundary is known as pieces: the distance is exact on both sides
     int first_piece = 0;  ///< Field::pieces[first_piece ... + piece_count)
     int piece_count = 0;

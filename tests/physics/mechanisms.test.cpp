@@ -145,6 +145,37 @@ TEST_CASE("a plunger launches the ball that lies on it at the rod's speed, resti
     CHECK(world.movers()[0].rate == 0);
 }
 
+TEST_CASE("a rod that presses a ball against a ceiling stops, jams the ball once, harms nobody, and lets it go again") {
+    const ProgramPtr program = program_of(
+        "pinfield: 1\ntable: {size: [1, 1], slope: 0}\ninputs: {plunge: [Space]}\nmaterials: {default: {restitution: 0.5}}\nscene:\n"
+        "  - plunger: {id: p, at: [0.5, 0.2], stroke: 40mm, speed: 3.5, pull_time: 0.1, input: [plunge]}\n"
+        "  - box: {size: [0.2, 0.02], at: [0.5, 0.23]}\n"
+        "  - box: {size: [0.02, 0.2], at: [0.476, 0.2]}\n  - box: {size: [0.02, 0.2], at: [0.524, 0.2]}\n");
+    World world(program);
+    world.set_input(0, 1);
+    for (int i = 0; i < 500; ++i) world.step();
+    world.add_ball({0.5, 0.19}, {0, 0});
+    int jams = 0;
+    const auto run = [&](int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            world.step();
+            REQUIRE(gap_at(world, world.balls()[0].position).distance - r > -1e-9);
+            for (const Event& event : world.events()) jams += event.kind == EventKind::jam;
+        }
+    };
+    run(200);
+    CHECK(jams == 0);
+    world.set_input(0, 0);
+    run(1000);
+    CHECK(jams == 1);
+    CHECK(world.balls()[0].state == BallState::jammed);
+    CHECK(world.movers()[0].q < -1e-3);
+    world.set_input(0, 1);
+    run(500);
+    CHECK(world.balls()[0].state != BallState::jammed);
+    CHECK(world.movers()[0].q == -0.04);
+}
+
 TEST_CASE("half the stroke gives half the speed") {
     const ProgramPtr program = program_of(
         "pinfield: 1\ntable: {size: [1, 2], slope: 0}\ninputs: {plunge: [Space]}\nscene:\n  - plunger: {id: p, at: [0.5, 0.2], stroke: 40mm, speed: 3, pull_time: 0.5, input: [plunge]}\n");

