@@ -16,7 +16,7 @@ struct Arrow {
 
     void outline(Outline& out) const {
         const Edge axis = edge_between(a, b);
-        const double t = 0.5 * thickness, w = 0.5 * snapped(head_width, thickness, thickness);
+        const double t = 0.5 * thickness, w = 0.5 * head_width;
         const double neck = axis.length - snapped(head_length, axis.length, axis.length);
         const auto place = [&](double x, double y) {
             return Vec2(a.x + x * axis.tx - y * axis.ty, a.y + x * axis.ty + y * axis.tx);
@@ -41,10 +41,15 @@ struct Arrow {
                       {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the head, across the arrow."})),
             contract("head_length <= the distance from a to b",
                      [](const auto& arrow) { return arrow.head_length <= edge_between(arrow.a, arrow.b).length; }),
-            contract("the distance from a to b / 1000 <= thickness <= head_width",
+            contract("the distance from a to b and head_width are at most 1000 times the thickness",
                      [](const auto& arrow) {
-                         return edge_between(arrow.a, arrow.b).length <= 1000 * arrow.thickness &&
-                                arrow.thickness <= arrow.head_width;
+                         return max(edge_between(arrow.a, arrow.b).length, arrow.head_width) <= 1000 * arrow.thickness;
+                     }),
+            // The lanes of a float packet could not tell the corners of a narrower ledge apart.
+            contract("head_width = thickness, or larger by at least a thousandth of the thickness and of the length",
+                     [](const auto& arrow) {
+                         const auto least = 0.001 * max(arrow.thickness, edge_between(arrow.a, arrow.b).length);
+                         return arrow.head_width == arrow.thickness || arrow.head_width - arrow.thickness >= least;
                      }),
             contract("head_length / 100 <= head_width <= 100 head_length", [](const auto& arrow) {
                 return arrow.head_length <= 100 * arrow.head_width && arrow.head_width <= 100 * arrow.head_length;

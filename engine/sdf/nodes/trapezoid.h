@@ -19,17 +19,26 @@ struct Trapezoid {
 
     static constexpr auto describe() {
         using T = Trapezoid;
-        return shape<T>({.key = "trapezoid", .doc = "Symmetrical trapezoid centred on the local origin."},
-                        fields(field("bottom", &T::bottom,
-                                     {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Full width below."}),
-                               field("top", &T::top,
-                                     {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Full width above."}),
-                               field("height", &T::height,
-                                     {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full height."})),
-                        contract("height / 100 <= the larger width <= 100 height", [](const auto& trapezoid) {
-                            const auto width = max(trapezoid.bottom, trapezoid.top);
-                            return trapezoid.height <= 100 * width && width <= 100 * trapezoid.height;
-                        }));
+        return shape<T>(
+            {.key = "trapezoid", .doc = "Symmetrical trapezoid centred on the local origin."},
+            fields(
+                field("bottom", &T::bottom,
+                      {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Full width below."}),
+                field("top", &T::top, {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Full width above."}),
+                field("height", &T::height,
+                      {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full height."})),
+            contract("height / 100 <= the larger width <= 100 height",
+                     [](const auto& trapezoid) {
+                         const auto width = max(trapezoid.bottom, trapezoid.top);
+                         return trapezoid.height <= 100 * width && width <= 100 * trapezoid.height;
+                     }),
+            // The lanes of a float packet could not tell nearer corners apart, nor which of them a point lies beyond.
+            contract("the smaller width is 0, or at least a thousandth of the other and of the height",
+                     [](const auto& trapezoid) {
+                         const auto smaller = min(trapezoid.bottom, trapezoid.top);
+                         return smaller == 0 ||
+                                1000 * smaller >= max(trapezoid.height, max(trapezoid.bottom, trapezoid.top));
+                     }));
     }
 };
 
