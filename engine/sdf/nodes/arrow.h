@@ -45,14 +45,19 @@ struct Arrow {
                      [](const auto& arrow) {
                          return max(edge_between(arrow.a, arrow.b).length, arrow.head_width) <= 1000 * arrow.thickness;
                      }),
-            // The lanes of a float packet could not tell the corners of a narrower ledge apart.
+            // Float packets could tell neither the sides of a shaft farther out apart, nor the corners of a narrower ledge.
+            contract("no coordinate of a and b is more than 10000 times the thickness",
+                     [](const auto& arrow) {
+                         const auto reach = [](const auto& p) { return max(abs(p.x), abs(p.y)); };
+                         return max(reach(arrow.a), reach(arrow.b)) <= 10000 * arrow.thickness;
+                     }),
             contract("head_width = thickness, or larger by at least a thousandth of the thickness and of the length",
                      [](const auto& arrow) {
                          const auto least = 0.001 * max(arrow.thickness, edge_between(arrow.a, arrow.b).length);
                          return arrow.head_width == arrow.thickness || arrow.head_width - arrow.thickness >= least;
                      }),
-            contract("head_length / 100 <= head_width <= 100 head_length", [](const auto& arrow) {
-                return arrow.head_length <= 100 * arrow.head_width && arrow.head_width <= 100 * arrow.head_length;
+            contract("head_length / 20 <= head_width <= 20 head_length", [](const auto& arrow) {
+                return arrow.head_length <= 20 * arrow.head_width && arrow.head_width <= 20 * arrow.head_length;
             }));
     }
 };
