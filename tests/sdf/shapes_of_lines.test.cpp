@@ -43,8 +43,10 @@ private:
 template <class A, class B>
 double largest_difference(const A& a, const B& b, double half) {
     double worst = 0;
-    for (const Vec2& p : points_within(half))
-        worst = std::max(worst, std::fabs(a.distance({p.x(), p.y()}) - b.distance({p.x(), p.y()})));
+    for (const Vec2& p : points_within(half)) {
+        const double difference = std::fabs(a.distance({p.x(), p.y()}) - b.distance({p.x(), p.y()}));
+        if (!(difference <= worst)) worst = std::isnan(difference) ? infinity : difference;
+    }
     return worst;
 }
 
@@ -346,6 +348,19 @@ TEST_CASE("an arrow without a shaft is a triangle, with a head as narrow as its 
     const double xy[] = {0, -0.01, 0.04, -0.01, 0.05, 0, 0.04, 0.01, 0, 0.01};
     const auto picket = ready(Polygon<double>{.points = {xy, 5}});
     CHECK(largest_difference(Outlined(Arrow<double>{{0, 0}, {0.05, 0}, 0.02, 0.01, 0.02}), picket, 0.2) < 1e-16);
+}
+
+TEST_CASE("what is too short to have a direction in doubles is left out: roundings, notches, a shaft") {
+    const double tiny = 2e-18, nearly = 1 - 1e-15;
+    const Outlined box(RoundedBox<double>{{0.1, 0.06}, tiny, tiny, tiny, tiny});
+    CHECK(box.outline.size() == 4);
+    CHECK(largest_difference(box, Box<double>{{0.1, 0.06}, 0}, 0.2) < 1e-15);
+    CHECK(Outlined(Cross<double>{0.09, 0.03, tiny}).outline.size() == 12);
+    const Outlined square(Cross<double>{0.06, 0.06 * nearly, 0});
+    CHECK(square.outline.size() == 4);
+    CHECK(largest_difference(square, Box<double>{{0.06, 0.06}, 0}, 0.2) < 1e-15);
+    const Outlined arrow(Arrow<double>{{0.01, 0.02}, {0.04, 0.06}, 0.02, 0.05 * nearly, 0.06});
+    CHECK(arrow.outline.size() == 5);  // two sides, and the base in the three parts that ledges and tail are of
 }
 
 }  // namespace pinfield::sdf
