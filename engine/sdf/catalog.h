@@ -1,17 +1,34 @@
 // THE list of shapes and operations. To add one: write its header, name it here, give it a scene in scenes/nodes/.
 #pragma once
 #include "engine/sdf/nodes/arc.h"
+#include "engine/sdf/nodes/arrow.h"
 #include "engine/sdf/nodes/box.h"
 #include "engine/sdf/nodes/capsule.h"
+#include "engine/sdf/nodes/chamfer_box.h"
 #include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/nodes/cross.h"
 #include "engine/sdf/nodes/ellipse.h"
+#include "engine/sdf/nodes/equilateral_triangle.h"
 #include "engine/sdf/nodes/half_plane.h"
+#include "engine/sdf/nodes/hexagon.h"
+#include "engine/sdf/nodes/hexagram.h"
+#include "engine/sdf/nodes/isosceles_triangle.h"
 #include "engine/sdf/nodes/moon.h"
+#include "engine/sdf/nodes/octagon.h"
+#include "engine/sdf/nodes/oriented_box.h"
+#include "engine/sdf/nodes/parallelogram.h"
+#include "engine/sdf/nodes/pentagon.h"
+#include "engine/sdf/nodes/pentagram.h"
 #include "engine/sdf/nodes/pie.h"
 #include "engine/sdf/nodes/polygon.h"
 #include "engine/sdf/nodes/regular_polygon.h"
+#include "engine/sdf/nodes/rhombus.h"
+#include "engine/sdf/nodes/rounded_box.h"
 #include "engine/sdf/nodes/segment.h"
+#include "engine/sdf/nodes/square_stairs.h"
+#include "engine/sdf/nodes/stairs.h"
 #include "engine/sdf/nodes/star.h"
+#include "engine/sdf/nodes/trapezoid.h"
 #include "engine/sdf/nodes/triangle.h"
 #include "engine/sdf/nodes/uneven_capsule.h"
 #include "engine/sdf/operations/bend.h"
@@ -46,6 +63,8 @@ using BuiltIn = NodeList<
     // shapes
     Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
     Pie, Moon,
+    ChamferBox, RoundedBox, OrientedBox, Rhombus, Trapezoid, Parallelogram, IsoscelesTriangle, EquilateralTriangle, Pentagon, Hexagon,
+    Octagon, Hexagram, Pentagram, Cross, Stairs, SquareStairs, Arrow,
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
     Onion, Mirror, Repeat, RepeatPolar, Elongate, Stretch, Twist, Bend, Displace>;
