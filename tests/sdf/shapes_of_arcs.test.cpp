@@ -55,7 +55,7 @@ void check_inside(const Field<T>& field, double half, const std::function<bool(c
         inside += d < 0;
         if ((d < 0) != is_inside(p)) FAIL_CHECK("at (" << p.x() << ", " << p.y() << "): " << d);
     }
-    CHECK(inside > 20);
+    CHECK(inside > 3);
 }
 
 /// By Green's theorem: chords, and the segments between them and their arcs.
@@ -195,7 +195,8 @@ TEST_CASE("a vesica is the points within both of two equal discs") {
     CHECK(area_of(flat.pieces) == Approx(0.0025 * (2 * half - std::sin(2 * half))));
     CHECK(flat.at(0, 0) == Approx(-0.02));
     CHECK(flat.at(0, 0.05) == Approx(0.03));
-    CHECK(flat.at(0.07, 0.04) == Approx(0.05));  // from the tip
+    CHECK(flat.at(0.08, 0.03) == Approx(0.05));  // from the tip, along the normal of its upper side there
+    CHECK(flat.at(0.1, 0) == Approx(0.06));
     for (const Vec2& p : points_within(0.1)) CHECK(tall.at(p) == Approx(flat.at(p.y(), -p.x())).margin(1e-15));
 }
 
@@ -246,7 +247,7 @@ TEST_CASE("an egg without bulge is an uneven capsule, with all of it a disc, and
 }
 
 TEST_CASE("an egg with one disc in the other is the larger disc, up to and at the limit") {
-    for (const double height : {0.0, 0.01, 0.02, 0.02 * (1 + 1e-9)}) {
+    for (const double height : {0.0, 0.01, 0.02, 0.02 * (1 + 1e-15), 0.02 * (1 + 1e-12), 0.02 * (1 + 1e-9)}) {
         const Field below(Egg<double>{.lower_radius = 0.03, .upper_radius = 0.01, .height = height, .bulge = 0.5});
         const Field above(Egg<double>{.lower_radius = 0.01, .upper_radius = 0.03, .height = height, .bulge = 0.5});
         for (const Vec2& p : points_within(0.1)) {
@@ -272,7 +273,7 @@ TEST_CASE("a heart is a square on its corner and a disc over each upper side") {
     CHECK(area_of(heart.pieces) == Approx(2 * c * c + tau / 2 * c * c / 2));
     CHECK(heart.at(size / 2, c / 2) == Approx(0).margin(1e-16));
     CHECK(heart.at(0, -c - 0.01) == Approx(0.01));
-    CHECK(heart.at(0, c + 0.001) == Approx(0.001 * std::sqrt(0.5)).margin(1e-5));  // in the notch, nearly straight there
+    CHECK(heart.at(0, c + 0.001) == Approx(length(Vec2(c / 2, c / 2 + 0.001)) - c * std::sqrt(0.5)));  // in the notch
     CHECK(heart.at(0, 0) == Approx(-c * std::sqrt(0.5)));
     const Box2 box = bounds_of(heart.pieces);
     CHECK(box.size().x() == Approx(size));
@@ -309,7 +310,7 @@ TEST_CASE("a tunnel is a box and a half disc on it") {
     CHECK(area_of(tunnel.pieces) == Approx(0.06 * 0.05 + tau / 4 * 0.0009));
     CHECK(tunnel.at(0, 0.05) == Approx(0.01));
     CHECK(tunnel.at(0.06, -0.08) == Approx(0.05));
-    CHECK(tunnel.at(0, 0) == Approx(-std::sqrt(0.0009 - 0) + 0).margin(1e-3));
+    CHECK(tunnel.at(0, 0) == Approx(-0.03));
     CHECK(tunnel.at(0.02, -0.015) == Approx(-0.01));
     const Field arch(Tunnel<double>{.width = 0.06, .height = 0.03});
     const Field half_disc(CutDisk<double>{.radius = 0.03, .height = 0});

@@ -23,7 +23,8 @@ struct Egg {
     /// `whole` / r, so that flat sides lose no digits.
     void outline(Outline& out) const {
         const double a = lower_radius, b = upper_radius, whole = height + a + b;
-        if (height <= abs(a - b)) return out.push_back(a > b ? Piece::circle({0, 0}, a) : Piece::circle({0, height}, b));
+        // Within rounding of touching from inside, too: there the points of contact are one, and nothing would be left of the larger disc.
+        if (height - abs(a - b) <= 1e-12 * whole) return out.push_back(a > b ? Piece::circle({0, 0}, a) : Piece::circle({0, height}, b));
         if (bulge == 1) return out.push_back(Piece::circle({0, 0.5 * (height + b - a)}, 0.5 * whole));
         const double reach_a = height + (b - a) + 2 * a * (1 - bulge), reach_b = height + (a - b) + 2 * b * (1 - bulge);
         const double lean = (a - b) * (whole - bulge * (a + b)), bend = bulge * height * height;
