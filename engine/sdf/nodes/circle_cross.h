@@ -35,8 +35,10 @@ struct CircleCross {
     static constexpr auto describe() {
         return shape<CircleCross>(
             {.key = "circle_cross", .doc = "Cross about the local origin whose arms are bounded by four arcs."},
-            fields(field("size", &CircleCross::size, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full width and height."}),
-                   field("tip", &CircleCross::tip, {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the arms at their ends."})),
+            fields(field("size", &CircleCross::size,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full width and height."}),
+                   field("tip", &CircleCross::tip,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the arms at their ends."})),
             contract("tip >= 0.001 of the larger size",
                      [](const auto& cross) { return cross.tip >= 0.001 * max(cross.size.x, cross.size.y); }),
             contract("the bays are at least 0.001 of the larger size deep, or tip is the smaller size", [](const auto& cross) {

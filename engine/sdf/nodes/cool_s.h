@@ -34,7 +34,9 @@ struct CoolS {
 
     static constexpr auto describe() {
         return shape<CoolS>({.key = "cool_s", .doc = "The pointed S of every school desk, as a solid ribbon about the local origin."},
-                            fields(field("size", &CoolS::size, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full height; the width is 0.4 of it."}),
+                            fields(field("size", &CoolS::size,
+                                         {.unit = Unit::metre, .min = above(0), .step = 0.001,
+                                          .doc = "Full height; the width is 0.4 of it."}),
                                    field("gap", &CoolS::gap,
                                          {.unit = Unit::metre, .min = from(0), .step = 0.0005,
                                           .doc = "Full width of the two slits between the strands; 0 for the silhouette alone."})),

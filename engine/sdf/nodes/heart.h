@@ -23,9 +23,11 @@ struct Heart {
     }
 
     static constexpr auto describe() {
-        return shape<Heart>({.key = "heart", .doc = "Square on its corner, with a half disc over each upper side; the square's centre is the origin."},
+        return shape<Heart>({.key = "heart",
+                             .doc = "Square on its corner, with a half disc over each upper side; the square's centre is the origin."},
                             fields(field("size", &Heart::size,
-                                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full width; the height is 0.914 of it."})));
+                                         {.unit = Unit::metre, .min = above(0), .step = 0.001,
+                                          .doc = "Full width; the height is 0.914 of it."})));
     }
 };
 

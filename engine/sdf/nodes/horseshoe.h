@@ -46,7 +46,8 @@ struct Horseshoe {
         return shape<Horseshoe>(
             {.key = "horseshoe", .doc = "Strip bent about the local origin with a straight leg at either end; opens towards +y."},
             fields(field("radius", &Horseshoe::radius,
-                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the local origin to the middle of the bent strip."}),
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001,
+                          .doc = "From the local origin to the middle of the bent strip."}),
                    field("angle", &Horseshoe::angle,
                          {.unit = Unit::degree, .min = pinfield::from(1), .max = pinfield::to(359), .step = 1,
                           .doc = "By which the strip is bent: at 180 the legs are parallel, above they close in."}),
@@ -58,6 +59,7 @@ struct Horseshoe {
                      [](const auto& shoe) {
                          return shoe.thickness >= 0.001 * (shoe.radius + shoe.leg) && shoe.thickness <= 1.9 * shoe.radius;
                      }),
+            contract("leg = 0 or leg >= 0.001 radius", [](const auto& shoe) { return shoe.leg == 0 || shoe.leg >= 0.001 * shoe.radius; }),
             contract("the legs of a bend above 180 degrees end apart, by 0.001 (radius + leg) at least", [](const auto& shoe) {
                 return shoe.angle <= 180 || shoe.opening() >= 0.001 * (shoe.radius + shoe.leg);
             }));

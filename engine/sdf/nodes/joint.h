@@ -19,7 +19,9 @@ struct Joint {
     Real thickness = Real(0.02);
 
     void outline(Outline& out) const {
-        const double bend = abs(angle), even = max(bend, least_even_angle), r = length / radians(even), w = 0.5 * thickness;
+        const double bend = abs(angle), w = 0.5 * thickness;
+        // Straight parts of less than a part in 1e8 would be too short for their direction's digits.
+        const double even = bend < (1 - 1e-8) * least_even_angle ? least_even_angle : bend, r = length / radians(even);
         const SineCosine half = sine_cosine_degrees(0.5 * bend), whole = sine_cosine_degrees(bend);
         const double straight = 0.5 * length * (1 - bend / even), chord = 2 * r * half.sine;
         const Vec2 along(whole.cosine, whole.sine), aside = w * perpendicular(along);
@@ -41,11 +43,13 @@ struct Joint {
     static constexpr auto describe() {
         return shape<Joint>(
             {.key = "joint", .doc = "Evenly bent strip with flat ends that starts at the local origin towards +x."},
-            fields(field("length", &Joint::length, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Along the middle of the strip."}),
+            fields(field("length", &Joint::length,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Along the middle of the strip."}),
                    field("angle", &Joint::angle,
                          {.unit = Unit::degree, .min = from(-350), .max = to(350), .step = 1,
                           .doc = "Between the directions of its ends: above 0 it bends left, below 0 right."}),
-                   field("thickness", &Joint::thickness, {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the strip."})),
+                   field("thickness", &Joint::thickness,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the strip."})),
             contract("length / 1000 <= thickness <= 1000 length",
                      [](const auto& joint) { return joint.thickness >= 0.001 * joint.length && joint.thickness <= 1000 * joint.length; }),
             contract("the inner side keeps 0.05 of the bend's radius: thickness <= 1.9 length / angle in radians", [](const auto& joint) {

@@ -23,7 +23,8 @@ struct OrientedVesica {
                                      fields(field("a", &OrientedVesica::a, {.unit = Unit::metre, .step = 0.001, .doc = "First tip."}),
                                             field("b", &OrientedVesica::b, {.unit = Unit::metre, .step = 0.001, .doc = "Second tip."}),
                                             field("width", &OrientedVesica::width,
-                                                  {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full width in the middle."})),
+                                                  {.unit = Unit::metre, .min = above(0), .step = 0.001,
+                                                   .doc = "Full width in the middle."})),
                                      contract("0.01 |b - a| <= width <= |b - a|", [](const auto& vesica) {
                                          return vesica.width >= 0.01 * vesica.apart() && vesica.width <= vesica.apart();
                                      }));

@@ -25,9 +25,11 @@ struct Tunnel {
 
     static constexpr auto describe() {
         return shape<Tunnel>({.key = "tunnel", .doc = "Box with a half disc on top, the whole centred on the local origin."},
-                             fields(field("width", &Tunnel::width, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full size along x."}),
+                             fields(field("width", &Tunnel::width,
+                                          {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full size along x."}),
                                     field("height", &Tunnel::height,
-                                          {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full size along y, half disc included."})),
+                                          {.unit = Unit::metre, .min = above(0), .step = 0.001,
+                                           .doc = "Full size along y, half disc included."})),
                              contract("0.5 width <= height <= 1000 width", [](const auto& tunnel) {
                                  return tunnel.height >= 0.5 * tunnel.width && tunnel.height <= 1000 * tunnel.width;
                              }));

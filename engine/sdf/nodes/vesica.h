@@ -33,8 +33,10 @@ struct Vesica {
 
     static constexpr auto describe() {
         return shape<Vesica>({.key = "vesica", .doc = "Lens about the local origin; its tips are the ends of the longer way across."},
-                             fields(field("length", &Vesica::length, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full size along x."}),
-                                    field("width", &Vesica::width, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full size along y."})),
+                             fields(field("length", &Vesica::length,
+                                          {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full size along x."}),
+                                    field("width", &Vesica::width,
+                                          {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full size along y."})),
                              contract("neither length nor width is more than 100 times the other", [](const auto& vesica) {
                                  return vesica.length <= 100 * vesica.width && vesica.width <= 100 * vesica.length;
                              }));
