@@ -104,7 +104,7 @@ TEST_CASE("a whole ring is an annulus without seam, one as thick as its circle i
 }
 
 TEST_CASE("a ring is the annulus between two directions") {
-    for (const auto& [first, last] : {std::pair(10.0, 80.0), {-30.0, 200.0}, {100.0, 280.0}, {5.0, 364.0}, {-1.0, 0.0}}) {
+    for (const auto& [first, last] : {std::pair(10.0, 80.0), {-30.0, 200.0}, {100.0, 275.0}, {100.0, 280.0}, {100.0, 285.0}, {5.0, 364.0}, {-1.0, 0.0}}) {
         const Field ring(Ring<double>{.radius = 0.04, .from = first, .to = last, .thickness = 0.03});
         check_inside(ring, 0.06, [first = first, last = last](const Vec2& p) {
             double turn = std::atan2(p.y(), p.x()) * 360 / tau - first;
@@ -133,7 +133,7 @@ TEST_CASE("a ring that fills its middle is a pie") {
 }
 
 TEST_CASE("a cut disk is what of the disc lies above the cut") {
-    for (const double height : {-0.04995, -0.03, 0.0, 0.03, 0.0499}) {
+    for (const double height : {-0.04995, -0.03, -0.002, 0.0, 0.002, 0.03, 0.0499}) {
         const Field disk(CutDisk<double>{.radius = 0.05, .height = height});
         for (const Vec2& p : points_within(0.1)) CHECK((disk.at(p) < 0) == (length(p) < 0.05 && p.y() > height));
         const double t = std::acos(height / 0.05);
