@@ -104,7 +104,8 @@ TEST_CASE("a whole ring is an annulus without seam, one as thick as its circle i
 }
 
 TEST_CASE("a ring is the annulus between two directions") {
-    for (const auto& [first, last] : {std::pair(10.0, 80.0), {-30.0, 200.0}, {100.0, 275.0}, {100.0, 280.0}, {100.0, 285.0}, {5.0, 364.0}, {-1.0, 0.0}}) {
+    for (const auto& [first, last] : {std::pair(10.0, 80.0), {-30.0, 200.0}, {100.0, 275.0}, {100.0, 280.0}, {100.0, 285.0}, {5.0, 364.0},
+                                      {-1.0, 0.0}}) {
         const Field ring(Ring<double>{.radius = 0.04, .from = first, .to = last, .thickness = 0.03});
         check_inside(ring, 0.06, [first = first, last = last](const Vec2& p) {
             double turn = std::atan2(p.y(), p.x()) * 360 / tau - first;
