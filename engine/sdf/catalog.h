@@ -6,16 +6,24 @@
 #include "engine/sdf/nodes/capsule.h"
 #include "engine/sdf/nodes/chamfer_box.h"
 #include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/nodes/circle_cross.h"
+#include "engine/sdf/nodes/cool_s.h"
 #include "engine/sdf/nodes/cross.h"
+#include "engine/sdf/nodes/cut_disk.h"
+#include "engine/sdf/nodes/egg.h"
 #include "engine/sdf/nodes/ellipse.h"
 #include "engine/sdf/nodes/equilateral_triangle.h"
 #include "engine/sdf/nodes/half_plane.h"
+#include "engine/sdf/nodes/heart.h"
 #include "engine/sdf/nodes/hexagon.h"
 #include "engine/sdf/nodes/hexagram.h"
+#include "engine/sdf/nodes/horseshoe.h"
 #include "engine/sdf/nodes/isosceles_triangle.h"
+#include "engine/sdf/nodes/joint.h"
 #include "engine/sdf/nodes/moon.h"
 #include "engine/sdf/nodes/octagon.h"
 #include "engine/sdf/nodes/oriented_box.h"
+#include "engine/sdf/nodes/oriented_vesica.h"
 #include "engine/sdf/nodes/parallelogram.h"
 #include "engine/sdf/nodes/pentagon.h"
 #include "engine/sdf/nodes/pentagram.h"
@@ -23,14 +31,18 @@
 #include "engine/sdf/nodes/polygon.h"
 #include "engine/sdf/nodes/regular_polygon.h"
 #include "engine/sdf/nodes/rhombus.h"
+#include "engine/sdf/nodes/ring.h"
 #include "engine/sdf/nodes/rounded_box.h"
+#include "engine/sdf/nodes/rounded_x.h"
 #include "engine/sdf/nodes/segment.h"
 #include "engine/sdf/nodes/square_stairs.h"
 #include "engine/sdf/nodes/stairs.h"
 #include "engine/sdf/nodes/star.h"
 #include "engine/sdf/nodes/trapezoid.h"
 #include "engine/sdf/nodes/triangle.h"
+#include "engine/sdf/nodes/tunnel.h"
 #include "engine/sdf/nodes/uneven_capsule.h"
+#include "engine/sdf/nodes/vesica.h"
 #include "engine/sdf/operations/bend.h"
 #include "engine/sdf/operations/complement.h"
 #include "engine/sdf/operations/difference.h"
@@ -62,9 +74,9 @@ struct NodeList {
 using BuiltIn = NodeList<
     // shapes
     Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
-    Pie, Moon,
     ChamferBox, RoundedBox, OrientedBox, Rhombus, Trapezoid, Parallelogram, IsoscelesTriangle, EquilateralTriangle, Pentagon, Hexagon,
     Octagon, Hexagram, Pentagram, Cross, Stairs, SquareStairs, Arrow,
+    Pie, Moon, Ring, CutDisk, Horseshoe, Joint, Vesica, OrientedVesica, Egg, Heart, RoundedX, CircleCross, Tunnel, CoolS,
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
     Onion, Mirror, Repeat, RepeatPolar, Elongate, Stretch, Twist, Bend, Displace>;
