@@ -87,7 +87,7 @@ double sharpest_corner(const Outline& pieces) {
     return worst;
 }
 
-Vec2 polar(double radius, double degrees) {
+Vec2 on_circle(double radius, double degrees) {
     const double t = degrees * tau / 360;
     return {radius * std::cos(t), radius * std::sin(t)};
 }
@@ -121,7 +121,7 @@ TEST_CASE("a ring's ends are flat, straight out from the centre") {
     for (const double r : {0.03, 0.035, 0.04, 0.05}) {
         CHECK(std::fabs(ring.at(r, 0)) < 1e-16);
         CHECK(ring.at(r, -0.007) == Approx(0.007));
-        CHECK(std::fabs(ring.at(polar(r, 120))) < 1e-16);
+        CHECK(std::fabs(ring.at(on_circle(r, 120))) < 1e-16);
     }
     CHECK(ring.at(0.053, -0.004) == Approx(0.005));
     CHECK(ring.at(0, 0) == Approx(0.03));
@@ -179,7 +179,7 @@ TEST_CASE("a horseshoe's area is its width times the length of its middle, and i
     const Vec2 end_of_bend(0.04 * std::cos(t), 0.04 * std::sin(t)), up_the_leg(-std::sin(t), std::cos(t));
     for (const double s : {0.0, 0.01, 0.02}) {
         CHECK(shoe.at(end_of_bend + s * up_the_leg) == Approx(-0.007));
-        CHECK(shoe.at(end_of_bend - polar(0.01, 30) + s * up_the_leg) == Approx(0.003));
+        CHECK(shoe.at(end_of_bend - on_circle(0.01, 30) + s * up_the_leg) == Approx(0.003));
     }
     CHECK(std::fabs(shoe.at(end_of_bend + 0.03 * up_the_leg)) < 1e-16);
     CHECK(Horseshoe<double>{.radius = 0.04, .angle = 240, .leg = 0.03, .thickness = 0.014}.opening() ==
