@@ -1,14 +1,20 @@
 // THE list of shapes and operations. To add one: write its header, name it here, give it a scene in scenes/nodes/.
 #pragma once
 #include "engine/sdf/nodes/arc.h"
+#include "engine/sdf/nodes/blobby_cross.h"
 #include "engine/sdf/nodes/box.h"
 #include "engine/sdf/nodes/capsule.h"
 #include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/nodes/cubic_bezier.h"
 #include "engine/sdf/nodes/ellipse.h"
 #include "engine/sdf/nodes/half_plane.h"
 #include "engine/sdf/nodes/moon.h"
+#include "engine/sdf/nodes/parabola.h"
+#include "engine/sdf/nodes/parabola_segment.h"
 #include "engine/sdf/nodes/pie.h"
 #include "engine/sdf/nodes/polygon.h"
+#include "engine/sdf/nodes/quadratic_bezier.h"
+#include "engine/sdf/nodes/quadratic_circle.h"
 #include "engine/sdf/nodes/regular_polygon.h"
 #include "engine/sdf/nodes/segment.h"
 #include "engine/sdf/nodes/star.h"
@@ -41,6 +47,7 @@ using BuiltIn = NodeList<
     // shapes
     Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
     Pie, Moon,
+    QuadraticBezier, CubicBezier, Parabola, ParabolaSegment, BlobbyCross, QuadraticCircle,
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
     Onion, Mirror, Repeat, RepeatPolar>;
