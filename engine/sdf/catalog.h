@@ -5,9 +5,11 @@
 #include "engine/sdf/nodes/box.h"
 #include "engine/sdf/nodes/capsule.h"
 #include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/nodes/circle_wave.h"
 #include "engine/sdf/nodes/cubic_bezier.h"
 #include "engine/sdf/nodes/ellipse.h"
 #include "engine/sdf/nodes/half_plane.h"
+#include "engine/sdf/nodes/hyperbola.h"
 #include "engine/sdf/nodes/moon.h"
 #include "engine/sdf/nodes/parabola.h"
 #include "engine/sdf/nodes/parabola_segment.h"
@@ -17,6 +19,7 @@
 #include "engine/sdf/nodes/quadratic_circle.h"
 #include "engine/sdf/nodes/regular_polygon.h"
 #include "engine/sdf/nodes/segment.h"
+#include "engine/sdf/nodes/spiral.h"
 #include "engine/sdf/nodes/star.h"
 #include "engine/sdf/nodes/triangle.h"
 #include "engine/sdf/nodes/uneven_capsule.h"
@@ -47,7 +50,7 @@ using BuiltIn = NodeList<
     // shapes
     Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
     Pie, Moon,
-    QuadraticBezier, CubicBezier, Parabola, ParabolaSegment, BlobbyCross, QuadraticCircle,
+    QuadraticBezier, CubicBezier, Parabola, ParabolaSegment, Hyperbola, BlobbyCross, QuadraticCircle, CircleWave, Spiral,
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
     Onion, Mirror, Repeat, RepeatPolar>;
