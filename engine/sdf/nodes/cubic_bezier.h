@@ -53,7 +53,7 @@ struct CubicBezier {
 
     static constexpr auto describe() {
         using T = CubicBezier;
-        return shape<T>({.key = "cubic_bezier", .float_error = 2e-6, .doc = "Wall with round ends along a cubic Bezier curve."},
+        return shape<T>({.key = "cubic_bezier", .float_error = 5e-6, .doc = "Wall with round ends along a cubic Bezier curve."},
                         fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve starts."}),
                                field("b", &T::b, {.unit = Unit::metre, .step = 0.001, .doc = "The curve sets out towards here."}),
                                field("c", &T::c, {.unit = Unit::metre, .step = 0.001, .doc = "The curve arrives from here."}),
