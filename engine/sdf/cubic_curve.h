@@ -76,17 +76,19 @@ Point<R> nearest_on_cubic(const Point<R>& p, const CubicCurve& curve) {
     for (int i = 0; i < 5; ++i) {
         R u = sign_change(turns[i], turns[i + 1], 10, 3, value, slope);
         // Where the curve is slow for its size the sum of powers has lost digits: the last steps take its vectors themselves, and may
-        // leave the piece, which may be cut wrong for the same reason. Any point of the curve is a fair candidate.
-        for (int step = 0; step < 2; ++step) {
-            const Point<R> offset_now = to_middle + (k1 + (k2 + k3 * u) * u) * u, velocity = k1 + (k2 * R(2) + k3 * (R(3) * u)) * u;
-            const R slope_now = dot(velocity, velocity) + dot(k2 * R(2) + k3 * (R(6) * u), offset_now);
-            u = clamp(u - dot(velocity, offset_now) / max(slope_now, R(1e-30)), first, last);
+        // leave the piece, which may be cut wrong for the same reason. On the evolute such a step may go anywhere, so every stop counts:
+        // any point of the curve is a fair candidate.
+        for (int stop = 0;; ++stop) {
+            const Point<R> there = k0 + (k1 + (k2 + k3 * u) * u) * u, offset = there - p;
+            const R square = dot(offset, offset);
+            const auto nearer = square < least;
+            least = select(nearer, square, least);
+            foot = select(nearer, there, foot);
+            if (stop == 2) break;
+            const Point<R> velocity = k1 + (k2 * R(2) + k3 * (R(3) * u)) * u, acceleration = k2 * R(2) + k3 * (R(6) * u);
+            const R turning = max(dot(velocity, velocity) + dot(acceleration, offset), R(1e-30));
+            u = clamp(u - dot(velocity, offset) / turning, first, last);
         }
-        const Point<R> there = k0 + (k1 + (k2 + k3 * u) * u) * u, offset = there - p;
-        const R square = dot(offset, offset);
-        const auto nearer = square < least;
-        least = select(nearer, square, least);
-        foot = select(nearer, there, foot);
     }
     return foot;
 }
