@@ -13,6 +13,7 @@
 #include "engine/sdf/nodes/moon.h"
 #include "engine/sdf/nodes/parabola.h"
 #include "engine/sdf/nodes/parabola_segment.h"
+#include "engine/sdf/nodes/path.h"
 #include "engine/sdf/nodes/pie.h"
 #include "engine/sdf/nodes/polygon.h"
 #include "engine/sdf/nodes/quadratic_bezier.h"
@@ -50,7 +51,8 @@ using BuiltIn = NodeList<
     // shapes
     Circle, Box, Segment, Capsule, UnevenCapsule, HalfPlane, Triangle, Polygon, Arc, Ellipse, RegularPolygon, Star,
     Pie, Moon,
-    QuadraticBezier, CubicBezier, Parabola, ParabolaSegment, Hyperbola, BlobbyCross, QuadraticCircle, CircleWave, Spiral,
+    QuadraticBezier, CubicBezier, Parabola, ParabolaSegment, Hyperbola, BlobbyCross, QuadraticCircle, CircleWave,
+    Spiral, Path,
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
     Onion, Mirror, Repeat, RepeatPolar>;

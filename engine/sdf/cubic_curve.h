@@ -1,27 +1,8 @@
 // The nearest point of a cubic Bezier curve, for every scalar.
 #pragma once
-#include "engine/sdf/scalar.h"
+#include "engine/sdf/sign_change.h"
 
 namespace pinfield::sdf {
-
-/// Where a function that is monotone from low to high changes its sign; high when it does not. Halving finds the place, Newton's steps
-/// polish it.
-template <class R, class Value, class Slope>
-R sign_change(R low, R high, int halvings, int newton_steps, const Value& value_at, const Slope& slope_at) {
-    const auto starts_below = value_at(low) < R(0);
-    for (int step = 0; step < halvings; ++step) {
-        const R middle = R(0.5) * (low + high);
-        const auto beyond = exactly_one(value_at(middle) < R(0), starts_below);
-        high = select(beyond, middle, high);
-        low = select(beyond, low, middle);
-    }
-    R root = high;
-    for (int step = 0; step < newton_steps; ++step) {
-        const R slope = slope_at(root);
-        root = clamp(root - value_at(root) / select(abs(slope) > R(1e-30), slope, R(1e-30)), low, high);
-    }
-    return root;
-}
 
 /// A cubic curve k0 + u k1 + u^2 k2 + u^3 k3, -1 <= u <= 1, and the two places (or an end twice) between which the third derivative of the
 /// squared distance to any point is negative: that one derivative is the same for all points.
@@ -93,13 +74,11 @@ Point<R> nearest_on_cubic(const Point<R>& p, const CubicCurve& curve) {
     return foot;
 }
 
-/// Distance to the cubic Bezier curve with control points a, b, c, d: loops, cusps and points that coincide are all welcome.
-template <class Real>
-Real distance_to_cubic_bezier(const Point<Real>& p, const Point<double>& a, const Point<double>& b, const Point<double>& c,
-                              const Point<double>& d) {
-    using Plain = decltype(frozen(Real(0)));
-    const Point<Plain> foot = nearest_on_cubic(Point<Plain>{frozen(p.x), frozen(p.y)}, cubic_curve<Plain>(a, b, c, d));
-    return norm(Point<Real>{p.x - Real(foot.x), p.y - Real(foot.y)});
+/// The same of the cubic Bezier curve with control points a, b, c, d: loops, cusps and points that coincide are all welcome.
+template <class R>
+Point<R> nearest_on_cubic_bezier(const Point<R>& p, const Point<double>& a, const Point<double>& b, const Point<double>& c,
+                                 const Point<double>& d) {
+    return nearest_on_cubic(p, cubic_curve<R>(a, b, c, d));
 }
 
 }  // namespace pinfield::sdf

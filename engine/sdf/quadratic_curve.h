@@ -32,24 +32,22 @@ Point<R> nearest_on_quadratic(const Point<R>& p, const QuadraticPiece& piece) {
     return {R(piece.start.x) + s * (R(v.x) + s * R(w.x)), R(piece.start.y) + s * (R(v.y) + s * R(w.y))};
 }
 
-/// Distance to the quadratic Bezier curve with control points a, b, c, each of which may coincide with any other. The
+/// The point nearest to p of the quadratic Bezier curve with control points a, b, c, each of which may coincide with any other. The
 /// curve is split at its apex, where it is slowest, if it has one.
-template <class Real>
-Real distance_to_quadratic_bezier(const Point<Real>& p, const Point<double>& a, const Point<double>& b, const Point<double>& c) {
-    using Plain = decltype(frozen(Real(0)));
+template <class R>
+Point<R> nearest_on_quadratic_bezier(const Point<R>& p, const Point<double>& a, const Point<double>& b, const Point<double>& c) {
     const Point<double> first = b - a, second = (c - b) - first;
     const double bend = dot(second, second), behind = -dot(first, second);
     const double apex = behind <= 0 ? 0.0 : behind >= bend ? 1.0 : behind / bend;
     const Point<double> start = a + (first * 2.0 + second * apex) * apex, along = (first + second * apex) * 2.0;
-    const Point<Plain> q{frozen(p.x), frozen(p.y)};
-    Point<Plain> foot{Plain(start.x), Plain(start.y)};
-    const auto offer = [&](const Point<Plain>& other) {
-        const Point<Plain> now = q - foot, then = q - other;
+    Point<R> foot{R(start.x), R(start.y)};
+    const auto offer = [&](const Point<R>& other) {
+        const Point<R> now = p - foot, then = p - other;
         foot = select(dot(then, then) < dot(now, now), other, foot);
     };
-    if (apex < 1) offer(nearest_on_quadratic(q, {start, along * (1 - apex), second * ((1 - apex) * (1 - apex))}));
-    if (apex > 0) offer(nearest_on_quadratic(q, {start, along * -apex, second * (apex * apex)}));
-    return norm(Point<Real>{p.x - Real(foot.x), p.y - Real(foot.y)});
+    if (apex < 1) offer(nearest_on_quadratic(p, {start, along * (1 - apex), second * ((1 - apex) * (1 - apex))}));
+    if (apex > 0) offer(nearest_on_quadratic(p, {start, along * -apex, second * (apex * apex)}));
+    return foot;
 }
 
 }  // namespace pinfield::sdf

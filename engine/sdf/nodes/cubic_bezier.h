@@ -15,7 +15,11 @@ struct CubicBezier {
     Point<double> a{-0.06, -0.03}, b{-0.03, 0.09}, c{0.03, -0.09}, d{0.06, 0.03};
     Real thickness = Real(0.012);
 
-    Real distance(const Point<Real>& p) const { return distance_to_cubic_bezier(p, a, b, c, d) - thickness * Real(0.5); }
+    Real distance(const Point<Real>& p) const {
+        using Plain = decltype(frozen(Real(0)));
+        const Point<Plain> foot = nearest_on_cubic_bezier(Point<Plain>{frozen(p.x), frozen(p.y)}, a, b, c, d);
+        return norm(Point<Real>{p.x - Real(foot.x), p.y - Real(foot.y)}) - thickness * Real(0.5);
+    }
 
     Vec2 point_at(double t) const {
         const double s = 1 - t;
@@ -28,7 +32,10 @@ struct CubicBezier {
     CurvePoint curve_at(double t) const { return {point_at(t), velocity_at(t).normalized()}; }
     bool is_plain() const {
         const double top_speed = 3 * max(max(norm(b - a), norm(c - b)), norm(d - c));
-        const auto distance_to_middle = [this](const Vec2& p) { return distance_to_cubic_bezier(Point<double>{p.x(), p.y()}, a, b, c, d); };
+        const auto distance_to_middle = [this](const Vec2& p) {
+            const Point<double> from{p.x(), p.y()};
+            return norm(from - nearest_on_cubic_bezier(from, a, b, c, d));
+        };
         return is_plain_stroke([this](double t) { return curve_at(t); }, top_speed, 0.5 * thickness, distance_to_middle);
     }
     Exactness exactness() const { return {.inside = is_plain() ? Side::exact : Side::bound}; }

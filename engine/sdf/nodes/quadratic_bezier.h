@@ -15,7 +15,11 @@ struct QuadraticBezier {
     Point<double> a{-0.06, -0.02}, b{0, 0.08}, c{0.06, -0.02};
     Real thickness = Real(0.012);
 
-    Real distance(const Point<Real>& p) const { return distance_to_quadratic_bezier(p, a, b, c) - thickness * Real(0.5); }
+    Real distance(const Point<Real>& p) const {
+        using Plain = decltype(frozen(Real(0)));
+        const Point<Plain> foot = nearest_on_quadratic_bezier(Point<Plain>{frozen(p.x), frozen(p.y)}, a, b, c);
+        return norm(Point<Real>{p.x - Real(foot.x), p.y - Real(foot.y)}) - thickness * Real(0.5);
+    }
 
     Vec2 point_at(double t) const {
         return Vec2(a.x + t * (2 * (b.x - a.x) + t * (a.x - 2 * b.x + c.x)), a.y + t * (2 * (b.y - a.y) + t * (a.y - 2 * b.y + c.y)));
