@@ -65,10 +65,11 @@ auto crosses_oddly(const Point<R>& p, const BezierView& curve) {
     for (int i = 0; i < 3; ++i) {
         if (!(cuts[i] < cuts[i + 1])) continue;
         const auto straddles = exactly_one(R(height_at(cuts[i])) <= p.y, R(height_at(cuts[i + 1])) <= p.y);
-        const auto above = [&](const R& t) { return R(c.v0.y) - p.y + t * (R(c.v1.y) + t * (R(c.v2.y) + t * R(c.v3.y))); };
-        const auto slope = [&](const R& t) { return R(c.v1.y) + t * (R(2 * c.v2.y) + t * R(3 * c.v3.y)); };
+        // Downwards, so that a point on p's height counts as not above it, as it does for the ends.
+        const auto depth = [&](const R& t) { return p.y - R(c.v0.y) - t * (R(c.v1.y) + t * (R(c.v2.y) + t * R(c.v3.y))); };
+        const auto slope = [&](const R& t) { return -(R(c.v1.y) + t * (R(2 * c.v2.y) + t * R(3 * c.v3.y))); };
         const R t = curve.degree == 1 ? (p.y - R(c.v0.y)) / R(c.v1.y == 0 ? 1 : c.v1.y)
-                                      : sign_change(R(cuts[i]), R(cuts[i + 1]), 12, 3, above, slope);
+                                      : sign_change(R(cuts[i]), R(cuts[i + 1]), 12, 3, depth, slope);
         const R x = R(c.v0.x) + t * (R(c.v1.x) + t * (R(c.v2.x) + t * R(c.v3.x)));
         odd = exactly_one(odd, both(straddles, x > p.x));
     }

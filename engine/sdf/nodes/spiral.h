@@ -134,7 +134,7 @@ struct Spiral {
     }
 
     static constexpr auto describe() {
-        return shape<Spiral>({.key = "spiral", .float_error = 3e-6, .doc = "Wall with round ends along an Archimedean spiral about the local origin."},
+        return shape<Spiral>({.key = "spiral", .float_error = 2e-6, .doc = "Wall with round ends along an Archimedean spiral about the local origin."},
                              fields(field("radius", &Spiral::radius,
                                           {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Where it starts, on +x."}),
                                     field("pitch", &Spiral::pitch,
