@@ -24,7 +24,8 @@ double largest_difference(const A& a, const B& b, double half) {
 }  // namespace
 
 TEST_CASE("a filled path of lines is a polygon, in either order, closed by hand or not") {
-    const std::vector<double> open{0, 0, 0.04, 0, 0.04, 0.04, 0.02, 0.01, 0, 0.04}, closed{0, 0, 0.04, 0, 0.04, 0.04, 0.02, 0.01, 0, 0.04, 0, 0};
+    const std::vector<double> open{0, 0, 0.04, 0, 0.04, 0.04, 0.02, 0.01, 0, 0.04},
+        closed{0, 0, 0.04, 0, 0.04, 0.04, 0.02, 0.01, 0, 0.04, 0, 0};
     const std::vector<double> backwards{0, 0.04, 0.02, 0.01, 0.04, 0.04, 0.04, 0, 0, 0};
     const auto polygon = ready(Polygon<double>{.points = {open.data(), 5}});
     for (const auto* xy : {&open, &closed, &backwards}) {
@@ -67,8 +68,10 @@ TEST_CASE("a wall along a path is the union of the walls along its pieces") {
             const Point<double> q{p.x(), p.y()};
             double lines = infinity, quadratics = infinity, cubics = infinity;
             for (int i = 0; i < 6; i += 1) lines = std::min(lines, ready(Segment<double>{at(i), at(i + 1), 0.01}).distance(q));
-            for (int i = 0; i < 6; i += 2) quadratics = std::min(quadratics, QuadraticBezier<double>{at(i), at(i + 1), at(i + 2), 0.01}.distance(q));
-            for (int i = 0; i < 6; i += 3) cubics = std::min(cubics, CubicBezier<double>{at(i), at(i + 1), at(i + 2), at(i + 3), 0.01}.distance(q));
+            for (int i = 0; i < 6; i += 2)
+                quadratics = std::min(quadratics, QuadraticBezier<double>{at(i), at(i + 1), at(i + 2), 0.01}.distance(q));
+            for (int i = 0; i < 6; i += 3)
+                cubics = std::min(cubics, CubicBezier<double>{at(i), at(i + 1), at(i + 2), at(i + 3), 0.01}.distance(q));
             CHECK(path_of(xy, PathPiece::line, false, 0.01).distance(q) == Approx(lines).margin(1e-15));
             CHECK(path_of(xy, PathPiece::quadratic, false, 0.01).distance(q) == Approx(quadratics).margin(1e-15));
             CHECK(path_of(xy, PathPiece::cubic, false, 0.01).distance(q) == Approx(cubics).margin(1e-15));

@@ -102,7 +102,8 @@ TEST_CASE("a quadratic Bezier wall without a bend is a segment, also when it run
     const QuadraticBezier<double> back{a, {0.12, 0.06}, a, 0.01};  // turns round halfway to its control point
     CHECK(largest_difference(back, segment, 0.2) < 1e-9);          // where it turns its foot is known to half the digits only
     const QuadraticBezier<double> dot{a, a, a, 0.01};
-    for (const Vec2& p : points_within(0.2)) CHECK(dot.distance({p.x(), p.y()}) == Approx(length(p - Vec2(a.x, a.y)) - 0.005).margin(1e-16));
+    for (const Vec2& p : points_within(0.2))
+        CHECK(dot.distance({p.x(), p.y()}) == Approx(length(p - Vec2(a.x, a.y)) - 0.005).margin(1e-16));
 }
 
 TEST_CASE("a cubic Bezier wall is exact to twelve digits wherever the control points lie") {
@@ -139,7 +140,8 @@ TEST_CASE("a cubic Bezier wall raised from a quadratic or a straight one is that
 }
 
 TEST_CASE("a cubic Bezier wall with a cusp or a loop is exact outside and as a middle line") {
-    const CubicBezier<double> cusp{{-0.05, 0}, {0.05, 0.06}, {-0.05, 0.06}, {0.05, 0}, 0.01}, loop{{-0.05, 0}, {0.1, 0.06}, {-0.1, 0.06}, {0.05, 0}, 0.01};
+    const CubicBezier<double> cusp{{-0.05, 0}, {0.05, 0.06}, {-0.05, 0.06}, {0.05, 0}, 0.01},
+        loop{{-0.05, 0}, {0.1, 0.06}, {-0.1, 0.06}, {0.05, 0}, 0.01};
     CHECK(cusp.velocity_at(0.5).norm() < 1e-15);
     CHECK(worst_of_bezier(cusp) < 1e-12);
     CHECK(worst_of_bezier(loop) < 1e-12);
@@ -148,14 +150,20 @@ TEST_CASE("a cubic Bezier wall with a cusp or a loop is exact outside and as a m
 }
 
 TEST_CASE("a wall along a curve is exact inside until it fills its bend") {
-    const auto arch = [](double thickness) { return QuadraticBezier<double>{{-0.06, 0}, {0, 0.06}, {0.06, 0}, thickness}.exactness().inside; };
+    const auto arch = [](double thickness) {
+        return QuadraticBezier<double>{{-0.06, 0}, {0, 0.06}, {0.06, 0}, thickness}.exactness().inside;
+    };
     // Radius of curvature on its top: |B'|^3 / |B' x B''| = 0.12^3 / (0.12 * 0.24) = 0.06.
     CHECK(arch(0.11) == Side::exact);
     CHECK(arch(0.121) == Side::bound);
-    const auto hairpin = [](double thickness) { return QuadraticBezier<double>{{-0.01, 0}, {0, 0.4}, {0.01, 0}, thickness}.exactness().inside; };
+    const auto hairpin = [](double thickness) {
+        return QuadraticBezier<double>{{-0.01, 0}, {0, 0.4}, {0.01, 0}, thickness}.exactness().inside;
+    };
     CHECK(hairpin(0.0004) == Side::exact);
     CHECK(hairpin(0.0006) == Side::bound);  // 0.02^2 / 0.8 = 0.0005
-    const auto snake = [](double thickness) { return CubicBezier<double>{{-0.06, -0.03}, {-0.03, 0.09}, {0.03, -0.09}, {0.06, 0.03}, thickness}.exactness().inside; };
+    const auto snake = [](double thickness) {
+        return CubicBezier<double>{{-0.06, -0.03}, {-0.03, 0.09}, {0.03, -0.09}, {0.06, 0.03}, thickness}.exactness().inside;
+    };
     CHECK(snake(0.02) == Side::exact);
     CHECK(snake(0.08) == Side::bound);
 }
@@ -196,8 +204,15 @@ TEST_CASE("the arcs of a circle wave join without a corner on the local x axis")
 }
 
 TEST_CASE("a spiral is exact to twelve digits, tight or wide, from its centre or a ring, for a tenth of a turn or twelve turns") {
-    for (const auto& [radius, pitch, turns] : {std::tuple(0.015, 0.018, 2.25), {0.0, 0.02, 3.0}, {0.001, 0.05, 1.3}, {0.05, 0.001, 12.0},
-                                               {0.03, 0.1, 0.1}, {0.002, 0.3, 0.5}, {0.02, 0.02, 0.9}, {0.0, 0.008, 12.0}, {0.01, 0.06, 1.0}}) {
+    for (const auto& [radius, pitch, turns] : {std::tuple(0.015, 0.018, 2.25),
+                                               {0.0, 0.02, 3.0},
+                                               {0.001, 0.05, 1.3},
+                                               {0.05, 0.001, 12.0},
+                                               {0.03, 0.1, 0.1},
+                                               {0.002, 0.3, 0.5},
+                                               {0.02, 0.02, 0.9},
+                                               {0.0, 0.008, 12.0},
+                                               {0.01, 0.06, 1.0}}) {
         const auto wall = ready(Spiral<double>{.radius = radius, .pitch = pitch, .turns = turns, .thickness = 0.001});
         const double total = full_turn * turns, b = pitch / full_turn, r0 = radius;
         const auto at = [&](double t) { return Vec2((r0 + b * t * total) * Vec2(std::cos(t * total), std::sin(t * total))); };

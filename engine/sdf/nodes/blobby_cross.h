@@ -60,7 +60,9 @@ struct BlobbyCross {
         const double opening = arc_tangent(first.y(), first.x());
         for (int quarter = 0; quarter < 4; ++quarter) {
             const SineCosine turn = sine_cosine_degrees(90.0 * quarter);
-            const auto turned = [&](const Vec2& v) { return Vec2(turn.cosine * v.x() - turn.sine * v.y(), turn.sine * v.x() + turn.cosine * v.y()); };
+            const auto turned = [&](const Vec2& v) {
+                return Vec2(turn.cosine * v.x() - turn.sine * v.y(), turn.sine * v.x() + turn.cosine * v.y());
+            };
             const auto tip_at = [&](double angle) {
                 const SineCosine around = sine_cosine(angle);
                 return turned(Vec2(tip + round * around.cosine, round * around.sine));
@@ -72,15 +74,17 @@ struct BlobbyCross {
 
     static constexpr auto describe() {
         using T = BlobbyCross;
-        return shape<T>({.key = "blobby_cross", .float_error = 2e-6, .doc = "Four round tips on the axes with parabolic bites between them."},
-                        fields(field("size", &T::size, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From tip to tip."}),
-                               field("neck", &T::neck, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Between the bottoms of opposite bites."}),
-                               field("round", &T::round, {.unit = Unit::metre, .min = from(0), .step = 0.0005, .doc = "Radius of the tips."})),
-                        contract("5 round <= size", [](const auto& cross) { return 5 * cross.round <= cross.size; }),
-                        contract("neck - 2 round between 0.38 and 1.06 of size - 2 round", [](const auto& cross) {
-                            const auto sharp_neck = cross.neck - 2 * cross.round, sharp_size = cross.size - 2 * cross.round;
-                            return 0.38 * sharp_size <= sharp_neck && sharp_neck <= 1.06 * sharp_size;
-                        }));
+        return shape<T>(
+            {.key = "blobby_cross", .float_error = 2e-6, .doc = "Four round tips on the axes with parabolic bites between them."},
+            fields(field("size", &T::size, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From tip to tip."}),
+                   field("neck", &T::neck,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Between the bottoms of opposite bites."}),
+                   field("round", &T::round, {.unit = Unit::metre, .min = from(0), .step = 0.0005, .doc = "Radius of the tips."})),
+            contract("5 round <= size", [](const auto& cross) { return 5 * cross.round <= cross.size; }),
+            contract("neck - 2 round between 0.38 and 1.06 of size - 2 round", [](const auto& cross) {
+                const auto sharp_neck = cross.neck - 2 * cross.round, sharp_size = cross.size - 2 * cross.round;
+                return 0.38 * sharp_size <= sharp_neck && sharp_neck <= 1.06 * sharp_size;
+            }));
     }
 };
 

@@ -86,13 +86,19 @@ struct CircleWave {
 
     static constexpr auto describe() {
         using T = CircleWave;
-        return shape<T>({.key = "circle_wave", .float_error = 2e-6, .doc = "Wavy wall of equal arcs along the local x axis, with round ends."},
-                        fields(field("radius", &T::radius, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of every arc, to the middle of the wall."}),
-                               field("angle", &T::angle,
-                                     {.unit = Unit::degree, .min = from(30), .max = to(300), .step = 1, .doc = "How far every arc turns; above 180 the wave meanders."}),
-                               field("count", &T::count, {.min = from(1), .max = to(1000), .step = 1, .doc = "How many arcs; the first one bends up."}),
-                               field("thickness", &T::thickness,
-                                     {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
+        return shape<T>(
+            {.key = "circle_wave", .float_error = 2e-6, .doc = "Wavy wall of equal arcs along the local x axis, with round ends."},
+            fields(field("radius", &T::radius,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of every arc, to the middle of the wall."}),
+                   field("angle", &T::angle,
+                         {.unit = Unit::degree,
+                          .min = from(30),
+                          .max = to(300),
+                          .step = 1,
+                          .doc = "How far every arc turns; above 180 the wave meanders."}),
+                   field("count", &T::count, {.min = from(1), .max = to(1000), .step = 1, .doc = "How many arcs; the first one bends up."}),
+                   field("thickness", &T::thickness,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
     }
 };
 

@@ -57,11 +57,15 @@ struct Hyperbola {
 
     static constexpr auto describe() {
         using T = Hyperbola;
-        return shape<T>({.key = "hyperbola", .float_error = 2e-6, .doc = "Everything below one branch of a hyperbola: a wedge with a rounded edge."},
-                        fields(field("angle", &T::angle,
-                                     {.unit = Unit::degree, .min = from(1), .max = to(179), .step = 1, .doc = "Between the lines its sides approach."}),
-                               field("vertex", &T::vertex,
-                                     {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From those lines' crossing, the local origin, down to its top."})));
+        return shape<T>(
+            {.key = "hyperbola", .float_error = 2e-6, .doc = "Everything below one branch of a hyperbola: a wedge with a rounded edge."},
+            fields(field("angle", &T::angle,
+                         {.unit = Unit::degree, .min = from(1), .max = to(179), .step = 1, .doc = "Between the lines its sides approach."}),
+                   field("vertex", &T::vertex,
+                         {.unit = Unit::metre,
+                          .min = above(0),
+                          .step = 0.001,
+                          .doc = "From those lines' crossing, the local origin, down to its top."})));
     }
 };
 

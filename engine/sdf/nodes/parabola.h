@@ -22,9 +22,10 @@ struct Parabola {
     static Box2 bounds() { return {{-infinity, -infinity}, {infinity, 0}}; }
 
     static constexpr auto describe() {
-        return shape<Parabola>({.key = "parabola", .float_error = 2e-6, .doc = "Everything below a parabola that opens downwards from the local origin."},
-                               fields(field("focal", &Parabola::focal,
-                                            {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the top down to the focus."})));
+        return shape<Parabola>(
+            {.key = "parabola", .float_error = 2e-6, .doc = "Everything below a parabola that opens downwards from the local origin."},
+            fields(field("focal", &Parabola::focal,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the top down to the focus."})));
     }
 };
 

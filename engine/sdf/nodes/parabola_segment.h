@@ -43,11 +43,12 @@ struct ParabolaSegment {
 
     static constexpr auto describe() {
         using T = ParabolaSegment;
-        return shape<T>({.key = "parabola_segment", .float_error = 2e-6, .doc = "Region under a parabolic arch that stands on the local x axis."},
-                        fields(field("width", &T::width, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the arch where it stands."}),
-                               field("height", &T::height, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From there to its top."})),
-                        contract("neither width nor height above 400 times the other",
-                                 [](const auto& s) { return s.width <= 400 * s.height && s.height <= 400 * s.width; }));
+        return shape<T>(
+            {.key = "parabola_segment", .float_error = 2e-6, .doc = "Region under a parabolic arch that stands on the local x axis."},
+            fields(field("width", &T::width, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the arch where it stands."}),
+                   field("height", &T::height, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From there to its top."})),
+            contract("neither width nor height above 400 times the other",
+                     [](const auto& s) { return s.width <= 400 * s.height && s.height <= 400 * s.width; }));
     }
 };
 

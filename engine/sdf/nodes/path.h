@@ -143,14 +143,22 @@ struct Path {
         return shape<Path>(
             {.key = "path", .float_error = 5e-6, .doc = "Wall along a chain of lines or Bezier curves, or the region it encloses."},
             fields(field("points", &Path::points,
-                         {.unit = Unit::metre, .step = 0.001, .required = true,
-                          .doc = "The start, then for each piece its control points and its end: 1 point for a line, 2 for a quadratic, 3 for a cubic piece."}),
+                         {.unit = Unit::metre,
+                          .step = 0.001,
+                          .required = true,
+                          .doc = "The start, then for each piece its control points and its end: 1 point for a line, 2 for a quadratic, 3 "
+                                 "for a cubic piece."}),
                    field("piece", &Path::piece, {.doc = "What the pieces are."}),
-                   field("fill", &Path::fill, {.doc = "Solid is what the path encloses, closed by a straight edge, instead of a wall along it."}),
+                   field("fill", &Path::fill,
+                         {.doc = "Solid is what the path encloses, closed by a straight edge, instead of a wall along it."}),
                    field("thickness", &Path::thickness,
-                         {.unit = Unit::metre, .min = from(0), .step = 0.0005, .doc = "Full width of the wall, or of a wall along the edge of what is filled."})),
+                         {.unit = Unit::metre,
+                          .min = from(0),
+                          .step = 0.0005,
+                          .doc = "Full width of the wall, or of a wall along the edge of what is filled."})),
             contract("at least one piece", [](const auto& path) { return path.points.count > path.degree(); }),
-            contract("1 point, then as many for each piece as it takes", [](const auto& path) { return (path.points.count - 1) % path.degree() == 0; }),
+            contract("1 point, then as many for each piece as it takes",
+                     [](const auto& path) { return (path.points.count - 1) % path.degree() == 0; }),
             contract("at most 1024 points", [](const auto& path) { return path.points.count <= max_points; }),
             contract("a wall has a thickness", [](const auto& path) { return path.fill || path.thickness > 0; }));
     }

@@ -71,12 +71,13 @@ struct QuadraticBezier {
 
     static constexpr auto describe() {
         using T = QuadraticBezier;
-        return shape<T>({.key = "quadratic_bezier", .float_error = 2e-6, .doc = "Wall with round ends along a quadratic Bezier curve."},
-                        fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve starts."}),
-                               field("b", &T::b, {.unit = Unit::metre, .step = 0.001, .doc = "The curve sets out towards here and arrives from here."}),
-                               field("c", &T::c, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve ends."}),
-                               field("thickness", &T::thickness,
-                                     {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
+        return shape<T>(
+            {.key = "quadratic_bezier", .float_error = 2e-6, .doc = "Wall with round ends along a quadratic Bezier curve."},
+            fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve starts."}),
+                   field("b", &T::b, {.unit = Unit::metre, .step = 0.001, .doc = "The curve sets out towards here and arrives from here."}),
+                   field("c", &T::c, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve ends."}),
+                   field("thickness", &T::thickness,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
     }
 };
 

@@ -38,9 +38,10 @@ struct QuadraticCircle {
     }
 
     static constexpr auto describe() {
-        return shape<QuadraticCircle>({.key = "quadratic_circle", .doc = "Disc about the local origin whose quarters are parabolas."},
-                                      fields(field("radius", &QuadraticCircle::radius,
-                                                   {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the centre along x and along y."})));
+        return shape<QuadraticCircle>(
+            {.key = "quadratic_circle", .doc = "Disc about the local origin whose quarters are parabolas."},
+            fields(field("radius", &QuadraticCircle::radius,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the centre along x and along y."})));
     }
 };
 

@@ -37,7 +37,8 @@ struct Spiral {
     /// On a turn that passes p at some angle outside p, the foot lies up to a quarter turn behind that angle; on a turn that passes
     /// inside p, up to a quarter turn ahead. With t the angle from p, R = |p| and b = pitch / 2 pi, half the derivative of
     /// the squared distance is b (r - R cos t) + r R sin t. In either quarter it falls, if at all, before it rises: there is one place
-    /// where it rises through 0, which halving and then Newton's steps find. `start` is the quarter's first angle, from p, in quarter turns.
+    /// where it rises through 0, which halving and then Newton's steps find. `start` is the quarter's first angle, from p, in quarter
+    /// turns.
     template <class Plain>
     static Foot<Plain> foot_in_quarter(const Point<Plain>& p, const Plain& distance, const Plain& b, const Plain& passing_angle,
                                        const Plain& passing_radius, int start) {
@@ -48,7 +49,9 @@ struct Spiral {
         const auto bend_at = [&](const Plain& r, const Point<Plain>& t) {
             return b * b + distance * (Plain(2) * b * t.y + r * t.x);
         };
-        const auto turned = [](const Point<Plain>& v, const Plain& c, const Plain& s) { return Point<Plain>{v.x * c - v.y * s, v.x * s + v.y * c}; };
+        const auto turned = [](const Point<Plain>& v, const Plain& c, const Plain& s) {
+            return Point<Plain>{v.x * c - v.y * s, v.x * s + v.y * c};
+        };
         for (int step = 0; step < 12; ++step) {
             const double half_cosine = sqrt(0.5 * (1 + step_cosine));
             step_sine = step_sine / (2 * half_cosine);
@@ -79,7 +82,8 @@ struct Spiral {
         const Plain whole(two_pi), start = frozen(radius), step = frozen(pitch), b = step / whole, length = frozen(turns) * whole;
         const Plain q_distance = norm(q), q_angle = angle_of(q);
         const Plain turns_inside = floor((q_distance - start - b * q_angle) / step);
-        // The last turn that begins a quarter before p's angle, and the last that reaches it; the first ones are 0 and, a quarter behind, -1.
+        // The last turn that begins a quarter before p's angle, and the last that reaches it; the first ones are 0 and, a quarter behind,
+        // -1.
         const Plain last_outside = floor((length + Plain(half_pi) - q_angle) / whole), last_inside = floor((length - q_angle) / whole);
         const Plain outside = max(min(turns_inside + Plain(1), last_outside), Plain(0));
         const Plain inside = max(min(turns_inside, last_inside), Plain(-1));
@@ -105,7 +109,8 @@ struct Spiral {
         return {r * Vec2(to.cosine, to.sine), Vec2(b * to.cosine - r * to.sine, b * to.sine + r * to.cosine) / speed};
     }
     bool is_plain() const {
-        const double b = pitch / two_pi, end_radius = radius + pitch * turns, top_speed = two_pi * turns * sqrt(end_radius * end_radius + b * b);
+        const double b = pitch / two_pi, end_radius = radius + pitch * turns,
+                     top_speed = two_pi * turns * sqrt(end_radius * end_radius + b * b);
         return is_plain_stroke([this](double t) { return curve_at(t); }, top_speed, 0.5 * thickness,
                                [this](const Vec2& p) { return distance_to_middle({p.x(), p.y()}); });
     }
@@ -134,15 +139,15 @@ struct Spiral {
     }
 
     static constexpr auto describe() {
-        return shape<Spiral>({.key = "spiral", .float_error = 2e-6, .doc = "Wall with round ends along an Archimedean spiral about the local origin."},
-                             fields(field("radius", &Spiral::radius,
-                                          {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Where it starts, on +x."}),
-                                    field("pitch", &Spiral::pitch,
-                                          {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the middle of one turn to that of the next."}),
-                                    field("turns", &Spiral::turns,
-                                          {.min = from(0.1), .max = to(12), .step = 0.05, .doc = "How often it goes round, counter-clockwise outwards."}),
-                                    field("thickness", &Spiral::thickness,
-                                          {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
+        return shape<Spiral>(
+            {.key = "spiral", .float_error = 2e-6, .doc = "Wall with round ends along an Archimedean spiral about the local origin."},
+            fields(field("radius", &Spiral::radius, {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Where it starts, on +x."}),
+                   field("pitch", &Spiral::pitch,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the middle of one turn to that of the next."}),
+                   field("turns", &Spiral::turns,
+                         {.min = from(0.1), .max = to(12), .step = 0.05, .doc = "How often it goes round, counter-clockwise outwards."}),
+                   field("thickness", &Spiral::thickness,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
     }
 };
 
