@@ -47,11 +47,11 @@ Point<R> nearest_on_cubic(const Point<R>& p, const CubicCurve& curve) {
     const auto bend = [&](const R& u) { return R(2) * half_bend(u); };
 
     const R first(-1), last(1), low(curve.bend_low), high(curve.bend_high);
-    const R bends[] = {first, sign_change(first, low, 9, 2, half_bend, half_bend_slope),
-                       sign_change(low, high, 9, 2, half_bend, half_bend_slope),
-                       sign_change(high, last, 9, 2, half_bend, half_bend_slope), last};
+    const R bends[] = {first, sign_change(first, low, 9, 4, half_bend, half_bend_slope),
+                       sign_change(low, high, 9, 4, half_bend, half_bend_slope),
+                       sign_change(high, last, 9, 4, half_bend, half_bend_slope), last};
     R turns[6] = {first, first, first, first, first, last};
-    for (int i = 0; i < 4; ++i) turns[i + 1] = sign_change(bends[i], bends[i + 1], 9, 2, slope, bend);
+    for (int i = 0; i < 4; ++i) turns[i + 1] = sign_change(bends[i], bends[i + 1], 9, 4, slope, bend);
     Point<R> foot = k0 - k1 + k2 - k3;
     R least = dot(foot - p, foot - p);
     for (int i = 0; i < 5; ++i) {
