@@ -32,7 +32,6 @@ inline Dual abs(const Dual& a) { return a.v < 0 ? -a : a; }
 inline Dual floor(const Dual& a) { return Dual(std::floor(a.v)); }
 inline Dual min(const Dual& a, const Dual& b) { return b.v < a.v ? b : a; }
 inline Dual max(const Dual& a, const Dual& b) { return a.v < b.v ? b : a; }
-inline Dual floor(const Dual& a) { return Dual(std::floor(a.v)); }
 inline double frozen(const Dual& a) { return a.v; }
 inline Dual with_gradient(double value, double x, double y, const Point<Dual>& p) {
     return {value, x * p.x.dx + y * p.y.dx, x * p.x.dy + y * p.y.dy};

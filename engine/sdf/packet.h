@@ -43,7 +43,6 @@ struct Packet {
     friend Packet sqrt(const Packet& a) { return Packet(xsimd::sqrt(a.v)); }
     friend Packet floor(const Packet& a) { return Packet(xsimd::floor(a.v)); }
     friend Packet abs(const Packet& a) { return Packet(xsimd::abs(a.v)); }
-    friend Packet floor(const Packet& a) { return Packet(xsimd::floor(a.v)); }
     friend Packet min(const Packet& a, const Packet& b) { return Packet(xsimd::min(a.v, b.v)); }
     friend Packet max(const Packet& a, const Packet& b) { return Packet(xsimd::max(a.v, b.v)); }
     friend Packet frozen(const Packet& a) { return a; }

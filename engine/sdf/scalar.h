@@ -10,7 +10,6 @@ namespace pinfield::sdf {
 inline double sqrt(double a) { return std::sqrt(a); }
 inline double floor(double a) { return std::floor(a); }
 inline double abs(double a) { return std::fabs(a); }
-inline double floor(double a) { return std::floor(a); }
 /// Ties give the first argument, here and for every scalar: it decides gradients and the winning leaf.
 inline double min(double a, double b) { return b < a ? b : a; }
 inline double max(double a, double b) { return a < b ? b : a; }
