@@ -169,7 +169,6 @@ TEST_CASE("a wall along a curve is exact inside until it fills its bend") {
 }
 
 TEST_CASE("a circle wave of one arc is an arc, of more the union of its arcs") {
-    CounterRng rng(24);
     for (const double angle : {30.0, 90.0, 180.0, 220.0, 300.0})
         for (const int count : {1, 2, 3, 8}) {
             const auto wave = ready(CircleWave<double>{.radius = 0.02, .angle = angle, .count = count, .thickness = 0.006});

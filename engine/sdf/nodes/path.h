@@ -80,7 +80,7 @@ struct Path {
             if (!(abs(cross(arriving, leaving)) <= 1e-9 * speeds && dot(arriving, leaving) > 0)) return false;
         }
         return is_plain_stroke([this](double t) { return curve_at(t); }, top_speed * pieces(), 0.5 * thickness, [this](const Vec2& p) {
-            return norm(Path<double>{points.xy, points.count, piece, false, 0}.offset_from_foot({p.x(), p.y()}));
+            return norm(Path<double>{{points.xy, points.count}, piece, false, 0}.offset_from_foot({p.x(), p.y()}));
         });
     }
     /// No piece runs along another: inside and outside lie on different sides of every one.
