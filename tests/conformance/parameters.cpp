@@ -17,7 +17,7 @@ double random_number(const FieldMeta& meta, CounterRng& rng) {
 /// Corners at growing angles about a centre: never self-crossing, seldom convex.
 std::vector<Vec2> random_ring(CounterRng& rng) {
     const int count = 3 + static_cast<int>(rng.in(0, 9));
-    const Vec2 centre(rng.in(-0.05, 0.05), rng.in(-0.05, 0.05));
+    const Vec2 centre{rng.in(-0.05, 0.05), rng.in(-0.05, 0.05)};
     const double direction = rng.uniform() < 0.5 ? 1 : -1;
     std::vector<Vec2> out;
     for (int i = 0; i < count; ++i) {

@@ -23,12 +23,12 @@ Value nudged(const FieldType& field, const Value& value, CounterRng& random) {
     else if (auto* flag = std::get_if<bool>(&out))
         *flag = !*flag;
     else if (auto* point = std::get_if<Vec2>(&out))
-        *point += Vec2(random.in(-0.01, 0.01), random.in(-0.01, 0.01));
+        *point += Vec2{random.in(-0.01, 0.01), random.in(-0.01, 0.01)};
     else if (auto* points = std::get_if<std::vector<Vec2>>(&out)) {
         if (random.uniform() < 0.3)
             points->push_back(points->back() + Vec2(0.001, 0.002));
         else
-            points->front() += Vec2(random.in(-0.002, 0.002), random.in(-0.002, 0.002));
+            points->front() += Vec2{random.in(-0.002, 0.002), random.in(-0.002, 0.002)};
     } else if (field.kind == FieldKind::choice) {
         out = std::string(
             field.choices[static_cast<std::size_t>(random.uniform() * static_cast<double>(field.choices.size()))]);

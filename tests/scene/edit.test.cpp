@@ -27,7 +27,7 @@ Value some_value(const FieldType& field, CounterRng& rng) {
         case FieldKind::boolean: return rng.uniform() < 0.5;
         case FieldKind::integer: return static_cast<std::int64_t>(rng.in(1, 12));
         case FieldKind::number: return rng.in(-0.1, 0.2);
-        case FieldKind::vec2: return Vec2(rng.in(-0.1, 0.2), rng.in(0, 0.2));
+        case FieldKind::vec2: return Vec2{rng.in(-0.1, 0.2), rng.in(0, 0.2)};
         case FieldKind::points: return std::vector<Vec2>{{0, 0}, {rng.in(0.1, 1), 0}, {0, rng.in(0.1, 1)}};
         case FieldKind::choice: return std::string(field.choices[rng.next_u64() % field.choices.size()]);
         case FieldKind::id: return "name_" + std::to_string(rng.next_u64() % 5);

@@ -11,7 +11,7 @@ namespace {
 Similarity some_similarity(CounterRng& rng) {
     const double angle = rng.in(-720, 720);
     return {cosine_degrees(angle), sine_degrees(angle), rng.in(0.1, 10), rng.uniform() < 0.5,
-            Vec2(rng.in(-3, 3), rng.in(-3, 3))};
+            Vec2{rng.in(-3, 3), rng.in(-3, 3)}};
 }
 Vec2 some_point(CounterRng& rng) { return {rng.in(-5, 5), rng.in(-5, 5)}; }
 
@@ -58,7 +58,7 @@ TEST_CASE("the image of a box holds the image of every point in it") {
         const Similarity s = some_similarity(rng);
         const Box2 box = Box2::of(some_point(rng), some_point(rng)), image = (s * box).grown(1e-12);
         for (int k = 0; k < 20; ++k)
-            CHECK(image.contains(s * Vec2(rng.in(box.lo.x(), box.hi.x()), rng.in(box.lo.y(), box.hi.y()))));
+            CHECK(image.contains(s * Vec2{rng.in(box.lo.x(), box.hi.x()), rng.in(box.lo.y(), box.hi.y())}));
     }
 }
 

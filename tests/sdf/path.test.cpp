@@ -90,7 +90,7 @@ TEST_CASE("what a path encloses is told by the even-odd rule, also level with co
             for (int i = 0; i <= 6000; ++i) chain.push_back(path.curve_at(i / 6000.0).at);
             int wrong = 0;
             for (int i = 0; i < 400; ++i) {
-                const Vec2 p(rng.in(-0.1, 0.1), i % 2 == 0 ? rng.in(-0.1, 0.1) : std::floor(rng.in(-4, 5)) * 0.02);
+                const Vec2 p{rng.in(-0.1, 0.1), i % 2 == 0 ? rng.in(-0.1, 0.1) : std::floor(rng.in(-4, 5)) * 0.02};
                 const double value = path.distance({p.x(), p.y()});
                 if (std::fabs(value) < 1e-4) continue;
                 bool inside = false;  // along a ray upwards, where the path looks along +x
