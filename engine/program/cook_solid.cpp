@@ -4,10 +4,14 @@
 #include <algorithm>
 
 #include "engine/core/error_codes.h"
+#include "engine/program/arrangement.h"
 #include "engine/program/cook.h"
 #include "engine/program/lower.h"
+#include "engine/program/offset.h"
 #include "engine/reflect/erase.h"
 #include "engine/sdf/catalog.h"
+#include "engine/sdf/outline_path.h"
+#include "engine/sdf/register.h"
 
 namespace pinfield {
 namespace {
@@ -37,6 +41,7 @@ public:
              const std::vector<int>& children);
 
 private:
+    int exact_below_offset(int child, const sdf::Affine& offset);
     void bound(Op& op, const Similarity& field_from_op);
     int material_of(NodeId id) const;
 
@@ -57,7 +62,25 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
     if (const auto broken = broken_contract(*node.type, block.data()))
         kitchen_.problems.push_back(diagnose(Code::broken_contract, node.key, std::string(*broken)));
     kernels.derive(block.data());
+    if (kernels.affine && !children.empty()) children[0] = exact_below_offset(children[0], kernels.affine(block.data()));
     return emit(kernels, std::move(block), id, field_from_node, children);
+}
+
+/// An offset of a bound is the offset of some other figure. Where a tree's field is only a bound on the side that the offset looks at, its
+/// boundary takes its place, if it has one of lines and arcs.
+int Emitter::exact_below_offset(int child, const sdf::Affine& offset) {
+    const Op tree = field_.ops[static_cast<std::size_t>(child)];
+    if (offset_is_exact(tree.exactness, offset)) return child;
+    const std::vector<OwnedPiece> pieces = boundary_below(field_, child);
+    if (pieces.empty()) return child;
+    sdf::Outline outline;
+    for (const OwnedPiece& owned : pieces) outline.push_back(owned.piece);
+    const int count = static_cast<int>(outline.size());
+    std::vector<double> block(static_cast<std::size_t>(sdf::packed_outline_size(count)));
+    sdf::pack_outline(outline, count, block.data());
+    const int boundary = emit(sdf::boundary_kernels(), std::move(block), tree.origin, Similarity{}, {child});
+    field_.ops[static_cast<std::size_t>(boundary)].bounds = tree.bounds.is_finite() ? sdf::bounds_of(outline) : tree.bounds;
+    return boundary;
 }
 
 int Emitter::emit_part_shape(const Node& node, const Similarity& field_from_node) {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "engine/program/piece_distance.h"
+#include "engine/sdf/register.h"
 
 namespace pinfield {
 namespace {
@@ -65,6 +66,8 @@ void replace(std::vector<T>& list, int begin, int end, const std::vector<T>& wit
 }
 
 }  // namespace
+
+bool is_boundary(const Op& op) { return op.kernels == &sdf::boundary_kernels(); }
 
 void append(Field& field, const Field& fragment) {
     const Place at = end_of(field);

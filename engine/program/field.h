@@ -4,6 +4,9 @@
 
 namespace pinfield {
 
+/// Does the op stand for the boundary of the tree below it? Its only child is then asked for nothing but whose surface is whose.
+bool is_boundary(const Op& op);
+
 /// Appends the solids of `fragment` with all they refer to.
 void append(Field& field, const Field& fragment);
 

@@ -1,6 +1,8 @@
 #include "engine/program/lower.h"
 
 #include "engine/program/arrangement.h"
+#include "engine/program/field.h"
+#include "engine/program/offset.h"
 #include "engine/program/piece_distance.h"
 
 namespace pinfield {
@@ -20,7 +22,7 @@ Piece moved(const Similarity& to_from, const Piece& piece) {
     return out;
 }
 
-/// Does the operation only ask whether a point is in its operands?
+/// Does the operation only ask whether a point is in its operands? (A boundary stands for the solid below it.)
 bool is_boolean(const sdf::Kernels& kernels, const double* params) {
     switch (kernels.form) {
         case Form::shape: return kernels.outline != nullptr;
@@ -33,6 +35,20 @@ bool is_boolean(const sdf::Kernels& kernels, const double* params) {
         case Form::warp: return false;
     }
     return false;
+}
+
+bool add_offset(const Field& field, int index, const Similarity& chain, std::vector<LeafImage>& out) {
+    const Op& op = field.ops[static_cast<std::size_t>(index)];
+    const int child = field.links[static_cast<std::size_t>(op.first_link)];
+    LeafImage leaf{index, chain, {}, {}};
+    for (const OwnedPiece& piece : offset_boundary(field, index, boundary_below(field, child))) {
+        leaf.outline.push_back(moved(chain, piece.piece));
+        leaf.origins.push_back(piece.origin);
+        leaf.bounds = leaf.bounds.merged(bounds_of(leaf.outline.back()));
+    }
+    if (leaf.outline.empty()) return false;
+    out.push_back(std::move(leaf));
+    return true;
 }
 
 bool add_leaf(const Field& field, int index, const Similarity& chain, std::vector<LeafImage>& out) {
@@ -52,6 +68,8 @@ bool add_leaf(const Field& field, int index, const Similarity& chain, std::vecto
 
 bool collect(const Field& field, int index, const Similarity& chain, std::vector<LeafImage>& out) {
     const Op& op = field.ops[static_cast<std::size_t>(index)];
+    if (is_boundary(op)) return collect(field, field.links[static_cast<std::size_t>(op.first_link)], chain, out);
+    if (op.kernels->form == Form::modify && !is_boolean(*op.kernels, field.params.data() + op.params)) return add_offset(field, index, chain, out);
     if (!is_boolean(*op.kernels, field.params.data() + op.params)) return false;
     if (op.kernels->form == Form::shape) return add_leaf(field, index, chain, out);
     const int appearances = op.kernels->form == Form::images ? op.image_count : 1;
@@ -73,6 +91,7 @@ double membership(const Field& field, int index, const std::vector<char>& in_lea
     const auto child = [&](int i) {
         return membership(field, field.links[static_cast<std::size_t>(op.first_link + i)], in_leaf, next);
     };
+    if (is_boundary(op)) return child(0);
     switch (op.kernels->form) {
         case Form::shape: return in_leaf[next++] ? -1.0 : 1.0;
         case Form::fold: {
@@ -80,7 +99,9 @@ double membership(const Field& field, int index, const std::vector<char>& in_lea
             for (int i = 1; i < op.child_count; ++i) value = op.kernels->combine(params, value, child(i));
             return value;
         }
-        case Form::modify: return op.kernels->affine(params).sign * child(0);
+        case Form::modify:
+            if (!is_boolean(*op.kernels, params)) return in_leaf[next++] ? -1.0 : 1.0;
+            return op.kernels->affine(params).sign * child(0);
         case Form::images: {
             double value = 1;
             for (int i = 0; i < op.image_count; ++i) value = std::min(value, child(0));
@@ -104,15 +125,18 @@ bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf) 
     return membership(field, root, in_leaf, next) < 0;
 }
 
+std::vector<OwnedPiece> boundary_below(const Field& field, int root) {
+    const std::vector<LeafImage> leaves = leaf_images(field, root);
+    return leaves.empty() ? std::vector<OwnedPiece>{} : boundary_of(field, root, leaves);
+}
+
 void lower(Field& field, int index) {
     Solid& solid = field.solids[static_cast<std::size_t>(index)];
     solid.first_piece = static_cast<int>(field.pieces.size());
-    const std::vector<LeafImage> leaves = leaf_images(field, solid.root);
-    if (leaves.empty()) return;
-    const std::vector<OwnedPiece> boundary = boundary_of(field, solid.root, leaves);
+    const std::vector<OwnedPiece> boundary = boundary_below(field, solid.root);
     if (boundary.empty()) return;  // nothing, or everything: only the tree can tell which
     for (const OwnedPiece& piece : boundary)
-        field.pieces.push_back({piece.piece, index, leaves[static_cast<std::size_t>(piece.owner)].leaf, solid.layers});
+        field.pieces.push_back({piece.piece, index, piece.origin, solid.layers});
     solid.piece_count = static_cast<int>(boundary.size());
     solid.lowered = true;
 }

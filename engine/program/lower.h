@@ -5,7 +5,7 @@
 namespace pinfield {
 
 /// Appends the boundary pieces of a solid to field.pieces and marks it as lowered, when its tree is made of shapes with
-/// outlines under union, intersection, difference, xor, complement and images alone; else leaves the field as it is.
+/// outlines under union, intersection, difference, xor, complement, images, and offsets of such; else leaves the field as it is.
 /// The solid must be the last one with pieces.
 void lower(Field& field, int solid);
 

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "engine/program/evaluate.h"
+#include "engine/program/field.h"
 
 namespace pinfield {
 namespace {
@@ -54,7 +55,10 @@ Traced trace_shape(const Field& field, int index, const Vec2& p) {
     const Op& op = op_at(field, index);
     const Vec2 local = op.local_from_field * p;
     const Sample s = op.kernels->sample(params_of(field, op), local.x(), local.y());
-    return {{s.value * op.scale, direction_before(op.local_from_field, s.gradient)}, index};
+    const Sample found{s.value * op.scale, direction_before(op.local_from_field, s.gradient)};
+    if (!is_boundary(op)) return {found, index};
+    // The surface at the foot is a leaf's of the tree that the boundary stands for.
+    return {found, trace(field, child_of(field, op, 0), p - found.value * found.gradient).leaf};
 }
 
 /// The leaf of a fold is that of the operand that moves the result more; the first of equals.

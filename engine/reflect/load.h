@@ -58,7 +58,7 @@ template <class T>
 inline int packed_size() {
     T node{};
     // Lists read their offset from the block: any real will do to be counted.
-    static constexpr double zeros[256] = {};
+    [[maybe_unused]] static constexpr double zeros[256] = {};
     int slot = 0;
     static constexpr auto description = T::describe();
     std::apply([&](const auto&... f) { (detail::load_member(f.member, node, zeros, slot), ...); }, description.fields);

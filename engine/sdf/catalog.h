@@ -1,5 +1,6 @@
 // THE list of shapes and operations. To add one: write its header, name it here, give it a scene in scenes/nodes/.
 #pragma once
+#include "engine/sdf/boundary.h"
 #include "engine/sdf/nodes/arc.h"
 #include "engine/sdf/nodes/arrow.h"
 #include "engine/sdf/nodes/blobby_cross.h"
@@ -91,5 +92,10 @@ using BuiltIn = NodeList<
     // operations
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
     Onion, Mirror, Repeat, RepeatPolar, Elongate, Stretch, Twist, Bend, Displace>;
+
+/// What kernels are compiled for: the list, and what only compiling a table makes use of.
+template <template <class> class... N>
+NodeList<N..., Boundary> with_boundary(NodeList<N...>);
+using Compiled = decltype(with_boundary(BuiltIn{}));
 
 }  // namespace pinfield::sdf

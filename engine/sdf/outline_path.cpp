@@ -43,12 +43,25 @@ Outline without_reflex(const Outline& outline) {
     return out;
 }
 
-/// The piece that ends where this one starts.
-const Piece& before(const Outline& pieces, std::size_t i) {
-    const std::size_t n = pieces.size();
-    for (std::size_t k = 1; k <= n; ++k)
-        if (const Piece& other = pieces[(i + n - k) % n]; other.b == pieces[i].a) return other;
-    return pieces[i];
+/// How far to turn counter-clockwise from one unit direction to another: grows with the angle, 0 ... 4.
+double turn_between(const Vec2& from, const Vec2& to) {
+    const double c = pinfield::dot(from, to);
+    return pinfield::cross(from, to) >= 0 ? 1 - c : 3 + c;
+}
+
+/// The piece that ends where this one starts, to within `tolerance`. Where several do, loops touch there: the solid to the left of this
+/// piece is bounded by the one whose way back comes first, counter-clockwise.
+const Piece& before(const Outline& pieces, std::size_t i, double tolerance) {
+    const Piece& piece = pieces[i];
+    const Vec2 leaving = direction_at(piece, piece.a);
+    const Piece* found = &piece;
+    double least = infinity;
+    for (const Piece& other : pieces) {
+        if (other.is_full_circle() || length(other.b - piece.a) > tolerance) continue;
+        const double turn = turn_between(leaving, -direction_at(other, other.b));
+        if (turn < least) least = turn, found = &other;
+    }
+    return *found;
 }
 
 /// Out of the solid, halfway between the normals of the piece that arrives at a corner and the one that leaves it. Where they are
@@ -59,7 +72,7 @@ Vec2 corner_direction(const Vec2& arriving, const Vec2& leaving) {
     return pinfield::cross(arriving, leaving) >= 0 ? arriving : Vec2(-arriving);
 }
 
-PackedPiece packed(const Outline& pieces, std::size_t i) {
+PackedPiece packed(const Outline& pieces, std::size_t i, double tolerance) {
     const Piece& piece = pieces[i];
     PackedPiece out{};
     out.ax = piece.a.x(), out.ay = piece.a.y(), out.bx = piece.b.x(), out.by = piece.b.y();
@@ -69,7 +82,7 @@ PackedPiece packed(const Outline& pieces, std::size_t i) {
     if (piece.is_full_circle()) return out;
     const Vec2 arriving = direction_at(piece, piece.b);
     out.start_x = leaving.x(), out.start_y = leaving.y(), out.end_x = arriving.x(), out.end_y = arriving.y();
-    const Piece& last = before(pieces, i);
+    const Piece& last = before(pieces, i, tolerance);
     const Vec2 corner = corner_direction(direction_at(last, last.b), leaving);
     out.corner_x = corner.x(), out.corner_y = corner.y();
     return out;
@@ -110,9 +123,10 @@ void pack_outline(const Outline& outline, int most_pieces, double* out) {
     if (static_cast<int>(pieces.size()) > 2 * most_pieces) pieces.resize(2 * static_cast<std::size_t>(most_pieces));
     const Box2 box = bounds_of(outline);
     *out++ = static_cast<double>(pieces.size());
-    *out++ = pieces.empty() ? 0 : std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff());
+    const double size = pieces.empty() ? 0 : std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff());
+    *out++ = size;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const PackedPiece c = packed(pieces, i);
+        const PackedPiece c = packed(pieces, i, 1e-11 * size);
         for (const double v : {c.ax, c.ay, c.start_x, c.start_y, c.bx, c.by, c.end_x, c.end_y, c.apex_x, c.apex_y, c.normal_x, c.normal_y,
                                c.curvature, c.corner_x, c.corner_y})
             *out++ = v;

@@ -14,6 +14,6 @@ inline void fill_avx2(NodeList<N...>, PacketKernels* out) {
 
 }  // namespace
 
-void fill_packets_avx2(PacketKernels* out) { fill_avx2(BuiltIn{}, out); }
+void fill_packets_avx2(PacketKernels* out) { fill_avx2(Compiled{}, out); }
 
 }  // namespace pinfield::sdf

@@ -34,9 +34,11 @@ const std::array<Kernels, sizeof...(N)>& all_kernels(NodeList<N...>) {
 void add_built_in(Catalogue& catalogue) {
     std::vector<NodeType> types = all_types(BuiltIn{});
     for (std::size_t i = 0; i < types.size(); ++i) {
-        types[i].kernels = &all_kernels(BuiltIn{})[i];
+        types[i].kernels = &all_kernels(Compiled{})[i];
         catalogue.add(std::move(types[i]));
     }
 }
+
+const Kernels& boundary_kernels() { return all_kernels(Compiled{}).back(); }
 
 }  // namespace pinfield::sdf

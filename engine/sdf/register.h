@@ -1,10 +1,14 @@
 // Puts the built-in shapes and operations into a Catalogue.
 #pragma once
 #include "engine/reflect/catalogue.h"
+#include "engine/sdf/kernels.h"
 
 namespace pinfield::sdf {
 
 /// Adds every node of catalog.h, in its order, with packet kernels for each instruction set that was built.
 void add_built_in(Catalogue& catalogue);
+
+/// Of boundary.h, which is no node of any table.
+const Kernels& boundary_kernels();
 
 }  // namespace pinfield::sdf

@@ -46,10 +46,11 @@ inline int first_shape(const Program& program) {
 }
 
 /// Random CSG trees of line-and-arc shapes. With `snapped` places, sizes and angles come from a coarse grid, so that
-/// shared edges, tangencies and identical children abound.
+/// shared edges, tangencies and identical children abound. A `slender` tree is deep by its first children only.
 class RandomTree {
 public:
-    RandomTree(Scene& scene, std::uint64_t seed, bool snapped) : scene_(scene), random_(seed), snapped_(snapped) {}
+    RandomTree(Scene& scene, std::uint64_t seed, bool snapped, bool slender = false)
+        : scene_(scene), random_(seed), snapped_(snapped), slender_(slender) {}
 
     NodeId grow(NodeId parent, int depth) {
         if (depth == 0) return leaf(parent);
@@ -61,7 +62,7 @@ public:
         const bool unary = operation == "complement" || operation == "mirror" || operation == "repeat_polar";
         if (operation == "repeat_polar") set(*scene_.find(id), "count", std::int64_t{2} + pick(4));
         const int children = unary ? 1 : 2 + pick(2);
-        for (int i = 0; i < children; ++i) grow(id, depth - 1);
+        for (int i = 0; i < children; ++i) grow(id, slender_ && i > 0 ? std::min(depth - 1, pick(2)) : depth - 1);
         return id;
     }
 
@@ -119,7 +120,7 @@ private:
 
     Scene& scene_;
     CounterRng random_;
-    bool snapped_;
+    bool snapped_, slender_;
 };
 
 }  // namespace pinfield::test

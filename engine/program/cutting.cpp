@@ -1,0 +1,97 @@
+#include "engine/program/cutting.h"
+
+#include <algorithm>
+
+#include "engine/program/bvh.h"
+#include "engine/program/meet.h"
+#include "engine/program/piece_distance.h"
+
+namespace pinfield {
+namespace {
+
+using sdf::Piece;
+
+/// Grows with the position along the piece, from its start.
+double position_along(const Piece& piece, const Vec2& p) {
+    if (!piece.is_arc()) return dot(p - piece.a, piece.b - piece.a);
+    const Vec2 start = piece.a - piece.centre, here = p - piece.centre;
+    const double sine = piece.turn * cross(start, here), cosine = dot(start, here);
+    const double share =
+        cosine / (std::fabs(sine) + std::fabs(cosine));  // an angle in all but name: 0 ... 4 round the circle
+    return sine >= 0 ? 1 - share : 3 + share;
+}
+
+Piece part_of(const Piece& piece, const Vec2& from, const Vec2& to) {
+    Piece out = piece;
+    out.a = from;
+    out.b = to;
+    if (piece.is_arc()) out.reflex = piece.turn * cross(from - piece.centre, to - piece.centre) < 0;
+    return out;
+}
+
+void cut_pair(Edge& a, Edge& b, double tolerance) {
+    if (a.owner != b.owner && a.box.grown(tolerance).overlaps(b.box)) meet(a.piece, b.piece, tolerance, a.cuts, b.cuts);
+}
+
+}  // namespace
+
+Edge edge_of(const Piece& piece, int owner, int origin) { return {piece, owner, origin, bounds_of(piece)}; }
+
+void cut_all(std::vector<Edge>& edges, double tolerance) {
+    std::vector<Box2> boxes;
+    for (const Edge& edge : edges) boxes.push_back(edge.box);
+    const Bvh bvh(boxes);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        std::vector<int> partners;
+        bvh.overlapping(edges[i].box.grown(tolerance), [&](int j) { partners.push_back(j); });
+        std::sort(partners.begin(), partners.end());
+        for (const int j : partners)
+            if (static_cast<std::size_t>(j) > i) cut_pair(edges[i], edges[static_cast<std::size_t>(j)], tolerance);
+    }
+}
+
+Piece reversed(const Piece& piece) {
+    Piece out = piece;
+    std::swap(out.a, out.b);
+    out.turn = -piece.turn;
+    return out;
+}
+
+std::vector<Piece> parts_of(const Edge& edge) {
+    std::vector<Vec2> cuts = edge.cuts;
+    std::sort(cuts.begin(), cuts.end(), [&](const Vec2& p, const Vec2& q) {
+        return position_along(edge.piece, p) < position_along(edge.piece, q);
+    });
+    std::vector<Piece> parts;
+    if (edge.piece.is_full_circle()) {
+        if (cuts.size() < 2) return {edge.piece};
+        for (std::size_t i = 0; i < cuts.size(); ++i)
+            parts.push_back(part_of(edge.piece, cuts[i], cuts[(i + 1) % cuts.size()]));
+        return parts;
+    }
+    if (cuts.empty()) return {edge.piece};
+    cuts.push_back(edge.piece.b);
+    Vec2 from = edge.piece.a;
+    for (const Vec2& to : cuts) {
+        parts.push_back(part_of(edge.piece, from, to));
+        from = to;
+    }
+    return parts;
+}
+
+Probe probe_of(const Piece& piece, const std::vector<Vec2>& touched) {
+    if (!piece.is_arc()) {
+        const Vec2 along = piece.b - piece.a;
+        return {0.5 * (piece.a + piece.b), -perpendicular(along) / length(along)};
+    }
+    Vec2 ray(-1, 0);
+    if (!piece.is_full_circle()) {
+        const Vec2 chord = piece.b - piece.a;  // an arc bulges to the side of its chord that it does not turn to
+        ray = -piece.turn * perpendicular(chord) / length(chord);
+    } else if (!touched.empty()) {
+        ray = (piece.centre - touched[0]) / length(piece.centre - touched[0]);
+    }
+    return {piece.centre + piece.radius * ray, piece.turn * ray};
+}
+
+}  // namespace pinfield
