@@ -1,4 +1,6 @@
 // my_shape TABLE OUT.png: reads a table that has shields in it, draws it, drops balls on it and says what they hit.
+#include "shield.h"
+
 #include <fmt/format.h>
 
 #include <map>
@@ -12,7 +14,6 @@
 #include "engine/program/raster.h"
 #include "engine/scene/catalog.h"
 #include "engine/sdf/make_kernels.h"
-#include "examples/my_shape/shield.h"
 
 using namespace pinfield;
 

@@ -1,5 +1,5 @@
 #define CATCH_CONFIG_MAIN
-#include "examples/my_shape/shield.h"
+#include "shield.h"
 
 #include <catch2/catch.hpp>
 

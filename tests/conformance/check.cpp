@@ -12,22 +12,20 @@
 namespace pinfield::conformance {
 namespace {
 
-constexpr std::size_t most_sets_shown = 2;  // of parameters, under one law
-
-/// The violations of one law; those of one set of parameters follow each other.
+/// How many subjects break a law, and how the first of them does; the violations of one subject follow each other.
 std::string paragraph(std::string_view law, const std::vector<Violation>& violations) {
-    std::string examples, last_subject;
-    std::size_t sets = 0;
+    std::string first, last_subject;
+    std::size_t subjects = 0;
     for (const Violation& violation : violations) {
         if (violation.law != law) continue;
-        const bool other_set = violation.subject != last_subject;
+        subjects += violation.subject != last_subject;
         last_subject = violation.subject;
-        sets += other_set;
-        if (sets > most_sets_shown) continue;
-        if (other_set) examples += fmt::format("    {}\n", violation.subject);
-        examples += fmt::format("      {}\n", violation.what);
+        if (subjects > 1) continue;
+        if (first.empty()) first = fmt::format("    {}\n", violation.subject);
+        first += fmt::format("      {}\n", violation.what);
     }
-    return fmt::format("  {} ({} of parameters)\n{}", law, sets == 1 ? "1 set" : fmt::format("{} sets", sets), examples);
+    const std::string others = subjects > 1 ? fmt::format(" ({} sets of parameters; the first)", subjects) : "";
+    return fmt::format("  {}{}\n{}", law, others, first);
 }
 
 }  // namespace
