@@ -46,6 +46,18 @@ bool is_certified(const Field& field, const Op& root, int op, const Vec2& p, con
     return s.value < 0 ? beyond >= 0 : beyond <= 0;
 }
 
+/// The distance to a solid's box is a bound of the distance to the solid, too, and far from one that is warped the better one. It must be
+/// asked wherever the formula is: the broad phase goes by boxes, and a ball that it lets come as near as the box says must not be
+/// found to overlap what the formula says.
+bool may_be_nearer_than_its_box(const Field& field, const Solid& solid) {
+    return field.ops[static_cast<std::size_t>(solid.root)].exactness.outside != Side::exact;
+}
+
+double outside_value(const Field& field, const Solid& solid, const Vec2& p) {
+    const double value = std::max(tree_value(field, solid.root, p), 0.0);
+    return may_be_nearer_than_its_box(field, solid) ? std::max(value, solid.bounds.distance(p)) : value;
+}
+
 Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
     const int root = solid_at(field, solid).root;
     Nearest out;
@@ -54,6 +66,12 @@ Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
     out.gradient = s.gradient;
     out.solid = solid;
     out.certified = is_certified(field, field.ops[static_cast<std::size_t>(root)], root, p, s);
+    const Box2& box = solid_at(field, solid).bounds;
+    if (!out.certified && box.distance(p) > std::max(s.value, 0.0)) {
+        const Vec2 from_box = p - p.cwiseMax(box.lo).cwiseMin(box.hi);
+        out.distance = box.distance(p);
+        out.gradient = from_box / length(from_box);
+    }
     return out;
 }
 
@@ -106,7 +124,7 @@ Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, dou
         } else {
             const Solid& solid = solid_at(field, field.tree_solids[static_cast<std::size_t>(entry - pieces)]);
             if (solid.layers & layers) {
-                const double value = std::max(tree_value(field, solid.root, p), 0.0);
+                const double value = outside_value(field, solid, p);
                 winner.offer(value * value, entry);
             }
         }

@@ -1,7 +1,9 @@
 #include <catch2/catch.hpp>
 
+#include "engine/sdf/nodes/circle.h"
 #include "engine/sdf/register.h"
-#include "tests/conformance/laws.h"
+#include "tests/conformance/check.h"
+#include "tests/conformance/faulty_nodes.h"
 
 namespace pinfield::conformance {
 
@@ -10,9 +12,24 @@ TEST_CASE("every shape and operation of the catalogue obeys every law") {
     sdf::add_built_in(catalogue);
     for (const NodeType& type : catalogue.types()) {
         INFO(type.key());
-        const std::vector<Violation> violations = check(catalogue, type, 40);
-        CHECK_THAT(violations.empty() ? "" : text(violations), Catch::Matchers::Equals(""));
+        CHECK(check(catalogue, type, 40));
     }
+}
+
+TEST_CASE("a report names each broken law once, with the parameters, the place and the numbers of its first violations") {
+    CHECK(Catch::Detail::stringify(check<sdf::Circle>(1)) == "circle obeys every law");
+
+    const Report report = check<sdf::faulty::OverEstimate>(0);
+    REQUIRE_FALSE(report);
+    CHECK(report.breaks("no side over-estimates"));
+    CHECK_FALSE(report.breaks("everything is finite"));
+    const std::string shown = Catch::Detail::stringify(report), law = "\n  no side over-estimates\n    over_estimate {}\n      at (";
+    INFO(shown);
+    CHECK(shown.starts_with("over_estimate breaks "));
+    const std::size_t place = shown.find(law);
+    REQUIRE(place != shown.npos);
+    CHECK(shown.find(law, place + 1) == shown.npos);
+    CHECK(shown.find(", brute force ", place) != shown.npos);
 }
 
 }  // namespace pinfield::conformance

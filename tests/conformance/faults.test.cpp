@@ -1,34 +1,27 @@
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <array>
 #include <set>
 
-#include "engine/sdf/make_kernels.h"
 #include "engine/sdf/register.h"
 #include "tests/conformance/faulty_nodes.h"
 #include "tests/conformance/laws.h"
-#include "tests/conformance/parameters.h"
 
 namespace pinfield::conformance {
 namespace {
 
 using namespace sdf::faulty;
 
-/// Violations of one faulty node in a catalogue that is otherwise sound.
+/// One faulty node in a catalogue that is otherwise sound.
 template <template <class> class N>
-std::vector<Violation> complaints() {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
-    return check(catalogue, catalogue.add(sdf::sdf_node_type<N>()), 2);
+Report complaints() {
+    return check<N>(2);
 }
 
 std::set<std::string> caught_laws;
 
-bool complains(const std::vector<Violation>& violations, std::string_view law) {
-    const bool caught = std::any_of(violations.begin(), violations.end(), [&](const Violation& v) { return v.law == law; });
-    if (caught) caught_laws.emplace(law);
-    return caught;
+bool complains(const Report& report, std::string_view law) {
+    if (report.breaks(law)) caught_laws.emplace(law);
+    return report.breaks(law);
 }
 
 }  // namespace

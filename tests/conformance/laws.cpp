@@ -7,7 +7,6 @@
 
 #include "engine/core/rng.h"
 #include "tests/conformance/brute_force.h"
-#include "tests/conformance/parameters.h"
 
 namespace pinfield::conformance {
 namespace {
@@ -79,13 +78,6 @@ Trial trial_of(const Subject& subject, std::uint64_t seed) {
 
 }  // namespace
 
-std::string text(const std::vector<Violation>& violations) {
-    std::string out = fmt::format("{} violations\n", violations.size());
-    for (std::size_t i = 0; i < violations.size() && i < 60; ++i)
-        out += fmt::format("  {}: {}: {}\n", violations[i].subject, violations[i].law, violations[i].what);
-    return out;
-}
-
 void Trial::report(std::string what) const {
     std::size_t already = 0;
     for (const Violation& v : *violations) already += v.law == law;
@@ -102,32 +94,6 @@ std::vector<Violation> check(const Subject& subject, std::uint64_t seed) {
         trial.law = law.name;
         law.check(trial);
     }
-    return out;
-}
-
-std::vector<Violation> check(const Catalogue& catalogue, const NodeType& type, int random_sets) {
-    std::vector<Violation> out;
-    CounterRng rng(2024);
-    std::vector<Values> sets{defaults_of(type)};
-    if (!Subject::accepted(type, sets[0])) {
-        out.push_back({"defaults are accepted", std::string(type.key()), "a range or a contract refuses them"});
-        return out;
-    }
-    if (type.own_fields > 0)
-        for (int i = 0; i < random_sets; ++i) sets.push_back(random_values(type, rng));
-    for (Values& values : degenerate_values(type)) sets.push_back(std::move(values));
-    std::uint64_t seed = 1;
-    for (const Values& values : sets)
-        for (const Subject& subject : subjects_of(catalogue, type, values))
-            for (Violation& violation : check(subject, ++seed)) out.push_back(std::move(violation));
-    return out;
-}
-
-std::vector<Violation> check(const Catalogue& catalogue, int random_sets) {
-    std::vector<Violation> out;
-    for (const NodeType& type : catalogue.types())
-        if (type.kernels)
-            for (Violation& violation : check(catalogue, type, random_sets)) out.push_back(std::move(violation));
     return out;
 }
 

@@ -7,14 +7,10 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/conformance/check.h"
 #include "tests/conformance/subject.h"
 
 namespace pinfield::conformance {
-
-struct Violation {
-    std::string law, subject, what;
-};
-std::string text(const std::vector<Violation>& violations);
 
 /// What the outline's own definition says at each point of a trial; see brute_force.h.
 struct OutlineTruth {
@@ -55,10 +51,6 @@ std::span<const Law> laws();
 
 /// Violations of all laws, at most a few of each; `seed` draws the points.
 std::vector<Violation> check(const Subject& subject, std::uint64_t seed);
-/// A node type with default, random and degenerate parameters. `catalogue` provides circle, box, intersection and complement as children.
-std::vector<Violation> check(const Catalogue& catalogue, const NodeType& type, int random_sets);
-/// Every shape and operation of a catalogue.
-std::vector<Violation> check(const Catalogue& catalogue, int random_sets);
 
 // The laws, by what they look at.
 void everything_is_finite(const Trial& trial);

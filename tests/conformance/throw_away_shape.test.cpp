@@ -11,20 +11,13 @@
 #include "engine/program/evaluate.h"
 #include "engine/program/patch.h"
 #include "engine/program/raster.h"
-#include "engine/sdf/register.h"
-#include "tests/conformance/laws.h"
+#include "tests/conformance/check.h"
 #include "tests/conformance/spectacles.h"
 
 namespace pinfield::conformance {
 
 TEST_CASE("a shape that a program adds of its own goes through every law") {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
-    const std::size_t built_in = catalogue.types().size();
-    const NodeType& type = catalogue.add(sdf::sdf_node_type<sdf::Spectacles>());
-    REQUIRE(catalogue.types().size() == built_in + 1);
-    REQUIRE(catalogue.find("spectacles") == &type);
-    CHECK_THAT(text(check(catalogue, type, 40)), Catch::Matchers::StartsWith("0 violations"));
+    CHECK(check<sdf::Spectacles>());
 }
 
 namespace {

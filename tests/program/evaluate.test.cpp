@@ -186,3 +186,28 @@ TEST_CASE("a blend is certified where the foot shows that its value is the dista
     const Nearest between = nearest_of_solid(program->fixed, 0, {4.45, 7});
     CHECK_FALSE(between.certified);
 }
+
+TEST_CASE("a solid is never nearer than its box, however far its formula may under-estimate") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(10, 10));
+    const NodeId twist = add(scene, "twist", {}, {{"at", Vec2(5, 5)}, {"angle", 170.0}, {"radius", 1.0}});
+    add(scene, "box", twist, {{"size", Vec2(1.8, 0.3)}});
+    const ProgramPtr program = compiled(scene);
+    const Solid& solid = program->fixed.solids[0];
+    CounterRng random(4);
+    int formula_falls_short = 0;
+    for (int i = 0; i < 2000; ++i) {
+        const Vec2 p = random_point(random, 2, 8);
+        const double to_box = solid.bounds.distance(p);
+        if (to_box == 0) continue;
+        formula_falls_short += evaluate_tree(program->fixed, solid.root, p).value < 0.9 * to_box;
+        CHECK(nearest_of_solid(program->fixed, 0, p).distance >= to_box - 1e-12);
+        const Nearest n = nearest_outside(program->fixed, p, ground_layer, 1.5);
+        if (n.solid == 0) CHECK(n.distance >= to_box - 1e-12);
+        CHECK(nearest(program->fixed, p, ground_layer, 1.5).distance <= 1.5);
+        const double h = 1e-7;  // the gradient that comes with it is its own
+        const Nearest here = nearest_of_solid(program->fixed, 0, p), along = nearest_of_solid(program->fixed, 0, p + h * here.gradient);
+        CHECK(along.distance - here.distance == Approx(h * here.gradient.squaredNorm()).epsilon(1e-3));
+    }
+    CHECK(formula_falls_short > 100);
+}

@@ -1,0 +1,47 @@
+// The battery's front door: one shape or operation, the engine's or your own, under every law, in one line of a test:
+//
+//     CHECK(pinfield::conformance::check<MyShape>());
+//
+// A Report is true when no law was broken. Test frameworks that print what they compare (Catch2, doctest, GoogleTest) print it as a
+// list of the broken laws with examples; so does any stream. Link `pinfield_conformance`, which needs no framework itself.
+#pragma once
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "engine/reflect/catalogue.h"
+#include "engine/sdf/make_kernels.h"
+
+namespace pinfield::conformance {
+
+struct Violation {
+    std::string law;      ///< a sentence: "no side over-estimates"
+    std::string subject;  ///< the node with its parameters
+    std::string what;     ///< where, and the numbers that disagree
+};
+
+struct Report {
+    std::string node;  ///< its key
+    std::vector<Violation> violations;
+
+    explicit operator bool() const { return violations.empty(); }
+    bool breaks(std::string_view law) const;
+};
+
+/// "shield obeys every law", or each broken law with how many sets of parameters break it and the first few of them.
+std::string text(const Report& report);
+std::ostream& operator<<(std::ostream& out, const Report& report);
+
+/// A node type with default, random and degenerate parameters, the same ones in every run. `catalogue` provides circle, box,
+/// intersection and complement as children of operations; the type need not be in it.
+Report check(const Catalogue& catalogue, const NodeType& type, int random_sets);
+/// The same over the built-in catalogue.
+Report check(const NodeType& type, int random_sets);
+
+/// Node template N: what sdf_node_type<N>() gives a program's own catalogue.
+template <template <class> class N>
+Report check(int random_sets = 40) {
+    return check(sdf::sdf_node_type<N>(), random_sets);
+}
+
+}  // namespace pinfield::conformance
