@@ -19,7 +19,7 @@ using namespace pinfield::conformance;
 namespace fs = std::filesystem;
 
 const std::string root = std::string(PINFIELD_SOURCE_DIR) + "/";
-constexpr int shape_sets = 20, operation_sets = 5;  // the latter over several sets of children each
+constexpr int shape_sets = 12, operation_sets = 4;  // the latter over several sets of children each
 
 template <class T>
 T value_or_stop(Result<T> result) {

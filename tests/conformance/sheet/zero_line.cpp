@@ -31,7 +31,8 @@ private:
     /// Between two points of different sign.
     Vec2 crossing(Vec2 a, Vec2 b) const {
         const bool solid_at_a = solid(a);
-        for (int i = 0; i < 40; ++i) {
+        const double near_enough = 0.1 * options_.tolerance;
+        while (std::fabs(b.x() - a.x()) + std::fabs(b.y() - a.y()) > near_enough) {
             const Vec2 middle = 0.5 * (a + b);
             (solid(middle) == solid_at_a ? a : b) = middle;
         }
@@ -61,7 +62,7 @@ private:
         if (l < options_.tolerance || most_halvings == 0) return chords.push_back(sdf::Piece::segment(a, b));
         const Vec2 aside = perpendicular(b - a);
         const bool solid_at_middle = solid(middle);
-        for (const double reach : {1.0 / 64, 1.0 / 8, 1.0})
+        for (const double reach : {1.0 / 512, 1.0 / 64, 1.0 / 8, 1.0})
             for (const double side : {reach, -reach}) {
                 const Vec2 beyond = middle + side * aside;
                 if (solid(beyond) == solid_at_middle) continue;
