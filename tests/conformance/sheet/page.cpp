@@ -78,8 +78,8 @@ build/release/bin/conformance_sheet --out docs/nodes      # --keep-timings: all 
 build/release/bin/conformance_sheet --check docs/nodes    # a test, too: fails when a page is stale
 ```
 
-- **Pictures** are the examples of [`scenes/nodes/`](../../scenes/nodes), drawn by the engine's own raster. Dark line: the outline,
-  where the distance is 0. Orange: inside. Blue: outside. From line to line 10 mm.
+- **Pictures** are the examples of [`scenes/nodes/`](../../scenes/nodes), drawn as `pinfield render --mode isolines` draws them: blue is
+  solid, sand is free, white the outline between them; 10 mm from line to line, the table's edge a wall.
 - **exact**: the value is the true distance. **bound**: it is never above the distance, so that a step of that length is safe. The claim
   is for the default parameters and exact children; a page also tells what was measured where other parameters claim less.
 - **off, over, under**: the largest error against a brute force that shares nothing with the formula, the largest over-estimate

@@ -1,5 +1,7 @@
 #include "tests/conformance/sheet/picture.h"
 
+#include <algorithm>
+
 #include "engine/io/load_table.h"
 #include "engine/io/png.h"
 #include "engine/program/compile.h"
@@ -8,8 +10,9 @@
 namespace pinfield::conformance {
 namespace {
 
-constexpr int pixels = 360;     // each way
+constexpr int pixels = 340;     // each way
 constexpr int samples = 2;      // each way, to a pixel: lines without steps
+constexpr int levels = 4;       // a shade is a multiple of this: unseen, and half the file
 
 /// The mean of each square of samples.
 std::vector<unsigned char> shrunk(const std::vector<unsigned char>& fine) {
@@ -21,7 +24,8 @@ std::vector<unsigned char> shrunk(const std::vector<unsigned char>& fine) {
                 for (int j = 0; j < samples; ++j)
                     for (int i = 0; i < samples; ++i)
                         sum += fine[static_cast<std::size_t>(3 * ((y * samples + j) * pixels * samples + x * samples + i) + channel)];
-                out.push_back(static_cast<unsigned char>(sum / (samples * samples)));
+                const int mean = (sum + samples * samples * levels / 2) / (samples * samples * levels) * levels;
+                out.push_back(static_cast<unsigned char>(std::min(mean, 255)));
             }
     return out;
 }

@@ -72,7 +72,7 @@ TEST_CASE("a sound shape measures as it claims") {
     CHECK(measured("circle").reference == Reference::outline);
     CHECK(measured("ellipse").reference == Reference::curve);
     CHECK(measured("half_plane").reference == Reference::zero_line);
-    CHECK(measured("union").inside[0].under > 0.1);  // overlapping discs: the inside is a bound
+    CHECK(measured("union").inside.back().under > 0.1);  // overlapping discs: the inside is a bound
 }
 
 TEST_CASE("the measure tells what is wrong with a faulty node") {
