@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "engine/io/files.h"
 #include "engine/scene/catalog.h"
@@ -54,10 +55,10 @@ std::map<std::string, std::string> sheet(const Catalogue& catalogue, const Timin
 
 Timings timings_of(const std::string& folder) { return value_or_stop(read_timings(value_or_stop(read_file(folder + "/timings.csv")))); }
 
-Timings measured_timings(const Catalogue& catalogue) {
-    Timings out;
-    for (const NodeType* type : measured_types(catalogue)) out.emplace(type->key(), time_of(catalogue, *type));
-    return out;
+/// Those that are not known yet.
+void add_timings(const Catalogue& catalogue, Timings& timings) {
+    for (const NodeType* type : measured_types(catalogue))
+        if (!timings.contains(type->key())) timings.emplace(type->key(), time_of(catalogue, *type));
 }
 
 /// Where two texts first differ, for the person who wonders why.
@@ -98,7 +99,8 @@ bool is_fresh(const std::shared_ptr<const Catalogue>& catalogue, const std::stri
 
 void write(const std::shared_ptr<const Catalogue>& catalogue, const std::string& folder, bool keep_timings) {
     fs::create_directories(folder);
-    const Timings timings = keep_timings ? timings_of(folder) : measured_timings(*catalogue);
+    Timings timings = keep_timings ? timings_of(folder) : Timings{};
+    add_timings(*catalogue, timings);
     // Through the file's own rounding, so that a check reads what the pages say.
     const Timings rounded = value_or_stop(read_timings(csv_of(*catalogue, timings)));
     for (const auto& [name, text] : sheet(*catalogue, rounded)) value_or_stop(write_file(fmt::format("{}/{}", folder, name), text));
@@ -114,7 +116,7 @@ int main(int argc, char** argv) {
     bool keep_timings = false;
     CLI::Option* writes = app.add_option("--out", out, "Folder to write");
     app.add_option("--check", checked, "Folder to compare instead: exit 1 when a text in it is stale")->excludes(writes);
-    app.add_flag("--keep-timings", keep_timings, "Take the nanoseconds from the folder's timings.csv")->needs(writes);
+    app.add_flag("--keep-timings", keep_timings, "Take the nanoseconds that are in the folder's timings.csv from there")->needs(writes);
     app.require_option();
     CLI11_PARSE(app, argc, argv);
 

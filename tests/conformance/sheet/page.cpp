@@ -13,15 +13,15 @@ namespace {
 
 const char* word(Side side) { return side == Side::exact ? "exact" : "bound"; }
 
-const char* reference_text(const NodeType& type, Reference reference) {
+const char* text_of(Reference reference) {
     switch (reference) {
         case Reference::outline: return "its outline of lines and arcs";
         case Reference::curve: return "2000 points of its parametric curve";
-        default: return type.meta.kind == NodeKind::shape ? "its own zero line, for it has no end" : "its own zero line, traced";
+        default: return "its own zero line, traced";
     }
 }
 
-/// Six decimals of slope are exact enough, and what rounding adds to a slope of 1 is not shown.
+/// Rounded up, but for what rounding adds to a slope of 1.
 std::string slope_text(double slope) { return to_text(std::ceil((slope - 1e-6) * 1000) / 1000, 3); }
 
 std::string nanoseconds_text(const std::optional<double>& ns) { return ns ? to_text(*ns) : "-"; }
@@ -82,10 +82,11 @@ build/release/bin/conformance_sheet --check docs/nodes    # a test, too: fails w
   solid, sand is free, white the outline between them; 10 mm from line to line, the table's edge a wall.
 - **exact**: the value is the true distance. **bound**: it is never above the distance, so that a step of that length is safe. The claim
   is for the default parameters and exact children; a page also tells what was measured where other parameters claim less.
-- **off, over, under**: the largest error against a brute force that shares nothing with the formula, the largest over-estimate
-  and the largest under-estimate, in sizes of the solid (half its width or height, if it lies about the origin), over default and
-  random parameters and points up to six sizes away. Rounded up to one digit; `<` is where the brute force's own error begins: 2e-12
-  for outlines of lines and arcs, 2e-08 for other curves, 1e-06 where the outline is the field's own zero line.
+- **off, over, under**: the largest error, over-estimate and under-estimate that was found, over the default and random parameters,
+  in points up to six sizes away; in sizes of the solid: its largest coordinate, half its width or height if it lies about the
+  origin. Errors are rounded up to one digit, and `<` is where the brute force's own begin: 2e-12 against lines and arcs, 2e-08
+  against other parametric curves, 1e-06 against the field's own zero line. The latter is for operations and for shapes that hand
+  out no curve; of their field it trusts the sign alone.
 - **slope**: the steepest that was found, of gradients and of differences: a measured Lipschitz constant.
 - **floats off**: the largest difference between float packets and doubles, in sizes.
 - **ns**: nanoseconds a point, one by one in double and many at once in packets, at default parameters. Of an operation, its own work
@@ -111,13 +112,14 @@ std::string page_of(const Entry& entry) {
     const Measure& m = entry.measure;
     const std::string header = header_of(type);
     std::string out = fmt::format("# {0}\n\n{1}\n\n![Isolines of the example below]({0}.png)\n\n", type.key(), type.meta.doc);
-    out += fmt::format("A {} of the [conformance sheet](README.md). Formula: [`{}`](../../{}).", name(type.meta.kind), header, header);
+    out += fmt::format("{} of the [conformance sheet](README.md). Formula: [`{}`](../../{}).",
+                       type.meta.kind == NodeKind::shape ? "A shape" : "An operation", header, header);
     if (type.meta.kind == NodeKind::operation) out += fmt::format(" Children: {}.", children_text(type));
     out += "\n\n## Parameters\n\n";
     const std::string fields = fields_markdown(type);
     out += fields.empty() ? "None of its own.\n\n" : fields;
 
-    out += fmt::format("## Distance\n\nMeasured against {}, in sizes of the solid:\n\n", reference_text(type, m.reference));
+    out += fmt::format("## Distance\n\nMeasured against {}, in sizes of the solid:\n\n", text_of(m.reference));
     out += "| side | claimed | largest over-estimate | largest under-estimate | tried |\n|---|---|---|---|---|\n";
     out += side_rows(entry, "outside", m.outside) + side_rows(entry, "inside", m.inside);
     out += fmt::format("\n- Steepest slope: {}, where at most {} is claimed.\n", slope_text(m.slope), slope_text(m.slope_claimed));
