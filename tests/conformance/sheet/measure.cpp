@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "engine/core/rng.h"
 #include "tests/conformance/brute_force.h"
@@ -60,16 +61,22 @@ bool is_inside(const Trial& trial, std::size_t i) {
     return highest < 0;
 }
 
-SideMeasure& side_with(std::vector<SideMeasure>& sides, Side claimed) {
-    for (SideMeasure& side : sides)
-        if (side.claimed == claimed) return side;
-    return *sides.insert(claimed == Side::exact ? sides.begin() : sides.end(), SideMeasure{.claimed = claimed});
+void add(const SideMeasure& one, std::vector<SideMeasure>& sides) {
+    if (one.points == 0) return;
+    const auto rank = [](const SideMeasure& side) { return std::pair(side.claimed, side.reference); };
+    auto at = sides.begin();
+    while (at != sides.end() && rank(*at) < rank(one)) ++at;
+    if (at == sides.end() || rank(*at) != rank(one)) at = sides.insert(at, {.claimed = one.claimed, .reference = one.reference});
+    ++at->subjects;
+    at->points += one.points;
+    at->over = std::max(at->over, one.over);
+    at->under = std::max(at->under, one.under);
 }
 
 void measure_distances(const Trial& trial, Measure& out) {
     const Truth truth = truth_of(trial);
-    out.reference = std::max(out.reference, truth.reference);
-    SideMeasure outside{.claimed = trial.exactness.outside}, inside{.claimed = trial.exactness.inside};
+    SideMeasure outside{.claimed = trial.exactness.outside, .reference = truth.reference};
+    SideMeasure inside{.claimed = trial.exactness.inside, .reference = truth.reference};
     for (std::size_t i = 0; i < truth.distance.size(); ++i) {
         if (std::isnan(truth.distance[i])) continue;
         const double value = trial.samples[i].value, error = (std::fabs(value) - truth.distance[i]) / trial.extent;
@@ -78,16 +85,8 @@ void measure_distances(const Trial& trial, Measure& out) {
         side.over = std::max(side.over, error);
         side.under = std::max(side.under, -error);
     }
-    const auto add = [](std::vector<SideMeasure>& sides, const SideMeasure& one) {
-        if (one.points == 0) return;
-        SideMeasure& all = side_with(sides, one.claimed);
-        ++all.subjects;
-        all.points += one.points;
-        all.over = std::max(all.over, one.over);
-        all.under = std::max(all.under, one.under);
-    };
-    add(out.outside, outside);
-    add(out.inside, inside);
+    add(outside, out.outside);
+    add(inside, out.inside);
 }
 
 /// The largest of the gradients, and of the differences between points far apart and near each other.

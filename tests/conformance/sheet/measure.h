@@ -15,9 +15,11 @@ enum class Reference : unsigned char {
 /// Errors up to this, in sizes, are the reference's own.
 double floor_of(Reference reference);
 
-/// One side of all the subjects that make the same claim for it; errors in sizes of the subject (see Subject::extent()).
+/// One side of all the subjects that make the same claim for it and are measured alike; errors in sizes of the subject (see
+/// Subject::extent()).
 struct SideMeasure {
     Side claimed = Side::exact;
+    Reference reference = Reference::outline;
     int subjects = 0, points = 0;
     double over = 0;   ///< largest |field| - distance
     double under = 0;  ///< largest distance - |field|
@@ -25,8 +27,7 @@ struct SideMeasure {
 
 struct Measure {
     int subjects = 0;
-    Reference reference = Reference::outline;  ///< the least that was needed
-    std::vector<SideMeasure> outside, inside;  ///< the exact ones first
+    std::vector<SideMeasure> outside, inside;  ///< the exact ones first, of these the best measured
     double slope = 0, slope_claimed = 0;       ///< of the subject that comes nearest to its claim
     double float_error = -1;                   ///< in sizes; negative: no packets of its own
 };

@@ -15,9 +15,9 @@ const char* word(Side side) { return side == Side::exact ? "exact" : "bound"; }
 
 const char* text_of(Reference reference) {
     switch (reference) {
-        case Reference::outline: return "its outline of lines and arcs";
-        case Reference::curve: return "2000 points of its parametric curve";
-        default: return "its own zero line, traced";
+        case Reference::outline: return "its lines and arcs";
+        case Reference::curve: return "its parametric curve";
+        default: return "its own zero line";
     }
 }
 
@@ -31,23 +31,33 @@ std::string float_text(const Entry& entry) {
 }
 
 std::string side_rows(const Entry& entry, std::string_view name, const std::vector<SideMeasure>& sides) {
-    const double floor = floor_of(entry.measure.reference);
     std::string out;
-    for (const SideMeasure& side : sides)
-        out += fmt::format("| {} | {} | {} | {} | {} points in {} of {} trials |\n", name, word(side.claimed), at_most(side.over, floor),
-                           at_most(side.under, floor), side.points, side.subjects, entry.measure.subjects);
+    for (const SideMeasure& side : sides) {
+        const double floor = floor_of(side.reference);
+        out += fmt::format("| {} | {} | {} | {} | {} | {} points in {} of {} trials |\n", name, word(side.claimed), at_most(side.over, floor),
+                           at_most(side.under, floor), text_of(side.reference), side.points, side.subjects, entry.measure.subjects);
+    }
     return out;
 }
 
-/// What was measured where the claim is the one at the defaults: "exact", and how far off; "bound", and how far to either side.
-std::string side_cell(const Entry& entry, Side claimed, const std::vector<SideMeasure>& sides) {
-    const double floor = floor_of(entry.measure.reference);
+/// The largest of some error over the subjects of one claim. What the best reference cannot tell from nothing counts as less than its
+/// floor, unless a lesser one shows more than its own.
+std::string largest(const std::vector<SideMeasure>& sides, Side claimed, double (*error)(const SideMeasure&)) {
+    double most = 0, floor = infinity;
     for (const SideMeasure& side : sides) {
         if (side.claimed != claimed) continue;
-        if (claimed == Side::exact) return fmt::format("**exact**<br>off {}", at_most(std::max(side.over, side.under), floor));
-        return fmt::format("bound<br>over {}<br>under {}", at_most(side.over, floor), at_most(side.under, floor));
+        floor = std::min(floor, floor_of(side.reference));
+        if (error(side) > floor_of(side.reference)) most = std::max(most, error(side));
     }
-    return word(claimed);
+    return at_most(most, floor);
+}
+
+/// What was measured where the claim is the one at the defaults: "exact", and how far off; "bound", and how far to either side.
+std::string side_cell(Side claimed, const std::vector<SideMeasure>& sides) {
+    if (claimed == Side::exact)
+        return fmt::format("**exact**<br>off {}", largest(sides, claimed, [](const SideMeasure& s) { return std::max(s.over, s.under); }));
+    return fmt::format("bound<br>over {}<br>under {}", largest(sides, claimed, [](const SideMeasure& s) { return s.over; }),
+                       largest(sides, claimed, [](const SideMeasure& s) { return s.under; }));
 }
 
 std::string index_row(const Entry& entry) {
@@ -55,7 +65,7 @@ std::string index_row(const Entry& entry) {
     const Exactness& claim = type.meta.exactness;
     const Measure& m = entry.measure;
     return fmt::format("| [<img src=\"{0}.png\" width=\"120\" alt=\"{0}\">]({0}.md) | [`{0}`]({0}.md)<br>{1} | {2} | {3} | {4} | {5} | {6} | {7} |\n",
-                       type.key(), type.meta.doc, side_cell(entry, claim.outside, m.outside), side_cell(entry, claim.inside, m.inside),
+                       type.key(), type.meta.doc, side_cell(claim.outside, m.outside), side_cell(claim.inside, m.inside),
                        slope_text(m.slope), float_text(entry), nanoseconds_text(entry.timing.in_double),
                        nanoseconds_text(entry.timing.in_packets));
 }
@@ -119,8 +129,8 @@ std::string page_of(const Entry& entry) {
     const std::string fields = fields_markdown(type);
     out += fields.empty() ? "None of its own.\n\n" : fields;
 
-    out += fmt::format("## Distance\n\nMeasured against {}, in sizes of the solid:\n\n", text_of(m.reference));
-    out += "| side | claimed | largest over-estimate | largest under-estimate | tried |\n|---|---|---|---|---|\n";
+    out += "## Distance\n\nIn sizes of the solid:\n\n";
+    out += "| side | claimed | largest over-estimate | largest under-estimate | against | tried |\n|---|---|---|---|---|---|\n";
     out += side_rows(entry, "outside", m.outside) + side_rows(entry, "inside", m.inside);
     out += fmt::format("\n- Steepest slope: {}, where at most {} is claimed.\n", slope_text(m.slope), slope_text(m.slope_claimed));
     if (m.float_error >= 0)

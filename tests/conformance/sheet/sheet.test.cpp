@@ -62,16 +62,16 @@ TEST_CASE("a sound shape measures as it claims") {
     for (const char* key : {"circle", "box", "ellipse", "half_plane", "union", "round"}) {
         INFO(key);
         const Measure m = measured(key);
-        const double floor = floor_of(m.reference);
         REQUIRE(!m.outside.empty());
+        const double floor = floor_of(m.outside[0].reference);
         CHECK(m.outside[0].claimed == Side::exact);
         CHECK(std::max(m.outside[0].over, m.outside[0].under) <= floor);
-        for (const SideMeasure& side : m.inside) CHECK(side.over <= floor);
+        for (const SideMeasure& side : m.inside) CHECK(side.over <= floor_of(side.reference));
         CHECK(m.slope == Approx(1).epsilon(1e-9));
     }
-    CHECK(measured("circle").reference == Reference::outline);
-    CHECK(measured("ellipse").reference == Reference::curve);
-    CHECK(measured("half_plane").reference == Reference::zero_line);
+    CHECK(measured("circle").outside[0].reference == Reference::outline);
+    CHECK(measured("ellipse").outside[0].reference == Reference::curve);
+    CHECK(measured("half_plane").outside[0].reference == Reference::zero_line);
     CHECK(measured("union").inside.back().under > 0.1);  // overlapping discs: the inside is a bound
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("the measure tells what is wrong with a faulty node") {
     const Measure claim = measured<WrongClaim>();
     CHECK(claim.outside[0].claimed == Side::exact);
     CHECK(claim.outside[0].under == Approx(3 * (std::sqrt(2.0) - 1)).epsilon(0.01));
-    CHECK(claim.outside[0].over <= floor_of(claim.reference));
+    CHECK(claim.outside[0].over <= floor_of(claim.outside[0].reference));
 
     const Measure steep = measured<WrongLipschitz>();
     CHECK(steep.slope == Approx(1));
