@@ -68,7 +68,8 @@ std::string first_difference(const std::string& now, const std::string& before) 
     for (int line = 1;; ++line) {
         const bool more_a = static_cast<bool>(std::getline(a, x)), more_b = static_cast<bool>(std::getline(b, y));
         if (!more_a && !more_b) return "";
-        if (more_a != more_b || x != y) return fmt::format("line {}:\n  is        {}\n  should be {}", line, more_b ? y : "", more_a ? x : "");
+        if (more_a != more_b || x != y)
+            return fmt::format("line {}:\n  is        {}\n  should be {}", line, more_b ? y : "", more_a ? x : "");
     }
 }
 

@@ -34,8 +34,8 @@ std::string side_rows(const Entry& entry, std::string_view name, const std::vect
     std::string out;
     for (const SideMeasure& side : sides) {
         const double floor = floor_of(side.reference);
-        out += fmt::format("| {} | {} | {} | {} | {} | {} points in {} of {} trials |\n", name, word(side.claimed), at_most(side.over, floor),
-                           at_most(side.under, floor), text_of(side.reference), side.points, side.subjects, entry.measure.subjects);
+        out += fmt::format("| {} | {} | {} | {} | {} | {} points in {} of {} trials |\n", name, word(side.claimed),
+                           at_most(side.over, floor), at_most(side.under, floor), text_of(side.reference), side.points, side.subjects, entry.measure.subjects);
     }
     return out;
 }
@@ -64,7 +64,8 @@ std::string index_row(const Entry& entry) {
     const NodeType& type = *entry.type;
     const Exactness& claim = type.meta.exactness;
     const Measure& m = entry.measure;
-    return fmt::format("| [<img src=\"{0}.png\" width=\"120\" alt=\"{0}\">]({0}.md) | [`{0}`]({0}.md)<br>{1} | {2} | {3} | {4} | {5} | {6} | {7} |\n",
+    return fmt::format("| [<img src=\"{0}.png\" width=\"120\" alt=\"{0}\">]({0}.md) "
+                       "| [`{0}`]({0}.md)<br>{1} | {2} | {3} | {4} | {5} | {6} | {7} |\n",
                        type.key(), type.meta.doc, side_cell(claim.outside, m.outside), side_cell(claim.inside, m.inside),
                        slope_text(m.slope), float_text(entry), nanoseconds_text(entry.timing.in_double),
                        nanoseconds_text(entry.timing.in_packets));
@@ -134,14 +135,17 @@ std::string page_of(const Entry& entry) {
     out += side_rows(entry, "outside", m.outside) + side_rows(entry, "inside", m.inside);
     out += fmt::format("\n- Steepest slope: {}, where at most {} is claimed.\n", slope_text(m.slope), slope_text(m.slope_claimed));
     if (m.float_error >= 0)
-        out += fmt::format("- Float packets: off by at most {}, where {} is declared.\n", float_text(entry), to_text(type.meta.float_error));
+        out += fmt::format("- Float packets: off by at most {}, where {} is declared.\n", float_text(entry),
+                           to_text(type.meta.float_error));
     else out += "- Float packets: its children's, it has none of its own.\n";
     if (entry.timing.in_double)
         out += fmt::format("- Cost: {} ns a point in double, {} ns in packets{}.\n", nanoseconds_text(entry.timing.in_double),
-                           nanoseconds_text(entry.timing.in_packets), entry.timing.isa.empty() ? "" : fmt::format(" ({})", entry.timing.isa));
+                           nanoseconds_text(entry.timing.in_packets),
+                           entry.timing.isa.empty() ? "" : fmt::format(" ({})", entry.timing.isa));
     else out += "- Cost: its child's, for each place where the child is seen.\n";
 
-    out += fmt::format("\n## Example\n\n[`scenes/nodes/{0}.yaml`](../../scenes/nodes/{0}.yaml)\n\n```yaml\n{1}```\n", type.key(), entry.example);
+    out += fmt::format("\n## Example\n\n[`scenes/nodes/{0}.yaml`](../../scenes/nodes/{0}.yaml)\n\n```yaml\n{1}```\n", type.key(),
+                       entry.example);
     return out;
 }
 

@@ -51,15 +51,24 @@ TEST_CASE("the zero line of a field that is only a bound has the true corners, a
     CHECK(std::fabs(distance_to_outline({0, 0}, chords) - 0.0015) < 2e-9);
 }
 
-TEST_CASE("the zero line parts two solids that meet in a corner, whichever cell that falls into") {
-    const auto field = [](const Vec2& p) { return -p.x() * p.y(); };  // solid in the first and third quadrant
-    const sdf::Outline chords = zero_line(field, {{{-0.9, -1.1}, {1.2, 1}}, 0.1, 1e-9, 2});
-    CHECK(distance_to_outline({0.3, 0.2}, chords) == Approx(0.2).margin(1e-8));
-    CHECK(distance_to_outline({-0.5, 0.6}, chords) == Approx(0.5).margin(1e-8));
+TEST_CASE("the zero line parts or joins two solids whose gap is narrower than a cell, as the field does") {
+    // Hyperbolas about the origin: two solids with a gap along one diagonal, and one solid with a waist along the other.
+    const double c = 0.0008;
+    for (const double offset : {c, -c}) {
+        const auto field = [&](const Vec2& p) { return offset - p.x() * p.y(); };
+        const sdf::Outline chords = zero_line(field, {Box2{{-0.86, -0.84}, {0.74, 0.76}}, 0.1, 1e-9, 2});
+        CHECK(distance_to_outline({0, 0}, chords) == Approx(std::sqrt(2 * c)).epsilon(1e-6));
+        for (const Vec2& p : {Vec2(0.02, 0.02), Vec2(-0.01, -0.02), Vec2(0.02, -0.02), Vec2(-0.01, 0.01)}) {
+            double nearest = infinity;
+            for (int i = -100000; i <= 100000; ++i)
+                if (i != 0) nearest = std::min(nearest, length(Vec2(i * 1e-5, offset / (i * 1e-5)) - p));
+            CHECK(distance_to_outline(p, chords) == Approx(nearest).margin(1e-6));
+        }
+    }
 }
 
 TEST_CASE("a sound shape measures as it claims") {
-    for (const char* key : {"circle", "box", "ellipse", "half_plane", "union", "round"}) {
+    for (const char* key : {"circle", "box", "ellipse", "half_plane", "union", "round", "repeat_polar"}) {
         INFO(key);
         const Measure m = measured(key);
         REQUIRE(!m.outside.empty());

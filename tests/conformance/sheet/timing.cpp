@@ -120,7 +120,8 @@ std::string csv_of(const Catalogue& catalogue, const Timings& timings) {
     std::string out = fmt::format("{}\n", head);
     for (const NodeType& type : catalogue.types())
         if (const auto found = timings.find(type.key()); found != timings.end())
-            out += fmt::format("{},{},{},{}\n", type.key(), number(found->second.in_double), number(found->second.in_packets), found->second.isa);
+            out += fmt::format("{},{},{},{}\n", type.key(), number(found->second.in_double),
+                               number(found->second.in_packets), found->second.isa);
     return out;
 }
 
