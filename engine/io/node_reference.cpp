@@ -60,13 +60,6 @@ std::string range_text(const FieldType& field) {
     return out;
 }
 
-std::string children_text(const NodeType& type) {
-    const ChildCount c = type.meta.children;
-    if (c.max == 0) return "none";
-    if (c.max == any_number) return c.min == 0 ? "any number" : fmt::format("{} or more", c.min);
-    return c.min == c.max ? fmt::format("{}", c.min) : fmt::format("{} to {}", c.min, c.max);
-}
-
 std::string exactness_text(const NodeType& type) {
     const Exactness& e = type.meta.exactness;
     return fmt::format("{} outside, {} inside, Lipschitz constant {}", word(e.outside), word(e.inside),
@@ -128,6 +121,19 @@ std::string reference_json(const std::vector<const NodeType*>& types) {
     return out.dump(2) + "\n";
 }
 
+std::string children_text(const NodeType& type) {
+    const ChildCount c = type.meta.children;
+    if (c.max == 0) return "none";
+    if (c.max == any_number) return c.min == 0 ? "any number" : fmt::format("{} or more", c.min);
+    return c.min == c.max ? fmt::format("{}", c.min) : fmt::format("{} to {}", c.min, c.max);
+}
+
+std::string fields_markdown(const NodeType& type) {
+    std::string out = type.own_fields > 0 ? field_table(own_fields(type)) + "\n" : "";
+    for (const ContractType& contract : type.contracts) out += fmt::format("Must hold: {}.\n\n", contract.sentence);
+    return out;
+}
+
 std::string reference_text(const std::vector<const NodeType*>& types) {
     std::string out;
     for (const NodeType* type : types) {
@@ -154,9 +160,7 @@ std::string reference_markdown(const std::vector<const NodeType*>& types) {
         if (has_field(*type)) out += fmt::format(" Distance: {}.", exactness_text(*type));
         if (type->meta.kind != NodeKind::record) out += fmt::format(" Children: {}.", children_text(*type));
         out += "\n\n";
-        if (type->own_fields > 0) out += field_table(own_fields(*type)) + "\n";
-        for (const ContractType& contract : type->contracts)
-            out += fmt::format("Must hold: {}.\n\n", contract.sentence);
+        out += fields_markdown(*type);
     }
     if (const auto common = common_fields(types); !common.empty())
         out += "## Fields of every scene node\n\n" + field_table(common);

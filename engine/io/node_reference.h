@@ -16,6 +16,10 @@ std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, std::s
 /// field.
 std::string reference_json(const std::vector<const NodeType*>& types);
 std::string reference_markdown(const std::vector<const NodeType*>& types);
+/// A table of the type's own fields and, below it, its contracts; empty where it has neither.
+std::string fields_markdown(const NodeType& type);
+/// "none", "2 or more".
+std::string children_text(const NodeType& type);
 std::string reference_text(const std::vector<const NodeType*>& types);
 
 }  // namespace pinfield

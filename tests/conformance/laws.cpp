@@ -53,12 +53,14 @@ void add_special_points(const Subject& subject, const sdf::Outline& pieces, doub
         for (const Vec2& p : {box.lo, box.hi, box.centre(), Vec2(box.lo.x(), box.centre().y())}) out.push_back(p);
 }
 
-Trial trial_of(const Subject& subject, std::uint64_t seed) {
+}  // namespace
+
+Trial trial_of(const Subject& subject, std::uint64_t seed, std::size_t random_count) {
     Trial trial{subject, subject.extent(), subject.exactness()};
     CounterRng rng(seed);
     const Box2 bounds = subject.bounds(), around = Box2::centred(3 * trial.extent, 3 * trial.extent);
     const Box2 near = bounds.is_finite() && !bounds.is_empty() ? bounds.grown(0.2 * trial.extent) : around;
-    trial.random_count = 50;
+    trial.random_count = random_count;
     for (std::size_t i = 0; i < trial.random_count; ++i) {
         const Box2& box = i % 3 == 0 ? around : near;
         const double x = rng.in(box.lo.x(), box.hi.x());
@@ -76,7 +78,7 @@ Trial trial_of(const Subject& subject, std::uint64_t seed) {
     return trial;
 }
 
-}  // namespace
+<<<<<<< HEAD
 
 void Trial::report(std::string what) const {
     std::size_t already = 0;

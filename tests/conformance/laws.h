@@ -39,6 +39,8 @@ struct Trial {
     double rounding(const Vec2& p) const { return 1e-13 * std::max(extent, length(p)); }
 };
 
+/// A subject at `random_count` random points and all the special ones, with its truth.
+Trial trial_of(const Subject& subject, std::uint64_t seed, std::size_t random_count = 50);
 /// Fills in a trial's truth.
 void measure_outline(Trial& trial);
 

@@ -5,84 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "engine/core/rng.h"
-#include "tests/conformance/laws.h"
+#include "tests/conformance/packets.h"
 
 namespace pinfield::conformance {
-namespace {
-
-struct Operands {
-    std::vector<double> a, b;
-};
-
-/// Pairs of field values: of all signs, equal, opposite, far apart.
-Operands operands(double extent) {
-    Operands out;
-    CounterRng rng(11);
-    for (int i = 0; i < 200; ++i) {
-        const double a = extent * rng.in(-1, 1), b = i % 5 == 0 ? a : i % 7 == 0 ? -a : extent * rng.in(-1, 1);
-        out.a.push_back(i % 11 == 0 ? 0 : a);
-        out.b.push_back(b);
-    }
-    return out;
-}
-
-/// All n results of one instruction set; empty where this machine or the node has none.
-std::vector<float> run(const Subject& subject, sdf::Isa isa, const std::vector<float>& a, const std::vector<float>& b) {
-    if (isa > sdf::best_isa()) return {};
-    const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
-    std::vector<float> out = a;
-    const int n = static_cast<int>(a.size());
-    if (k.distance) k.distance(subject.params(), a.data(), b.data(), out.data(), n);
-    else if (k.combine) k.combine(subject.params(), out.data(), b.data(), n);
-    else return {};
-    return out;
-}
-
-/// What packets are fed: points for a shape, field values for an operation; in floats, so that rounding the input is no error.
-struct Floats {
-    std::vector<float> a, b;
-};
-Floats points_in_floats(const Trial& trial) {
-    Floats out;
-    for (const Vec2& p : trial.points) {
-        out.a.push_back(static_cast<float>(p.x()));
-        out.b.push_back(static_cast<float>(p.y()));
-    }
-    return out;
-}
-
-Floats packet_input(const Trial& trial) {
-    Floats out;
-    if (trial.subject.is_shape()) return points_in_floats(trial);
-    const Operands pairs = operands(trial.extent);
-    out.a.assign(pairs.a.begin(), pairs.a.end());
-    out.b.assign(pairs.b.begin(), pairs.b.end());
-    return out;
-}
-
-double in_double(const Subject& subject, double a, double b) {
-    const sdf::Kernels& k = subject.kernels();
-    switch (k.form) {
-        case sdf::Form::shape: return k.distance(subject.params(), a, b);
-        case sdf::Form::fold: return k.combine(subject.params(), a, b);
-        default: return k.modify(subject.params(), a);
-    }
-}
-
-/// Where packets of one instruction set send the points, and what they lift there.
-struct Floats3 {
-    std::vector<float> x, y, lift;
-};
-Floats3 warp(const Subject& subject, sdf::Isa isa, const Floats& points) {
-    const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
-    if (isa > sdf::best_isa() || !k.warp) return {};
-    Floats3 out{points.a, points.b, std::vector<float>(points.a.size())};
-    k.warp(subject.params(), out.x.data(), out.y.data(), out.lift.data(), static_cast<int>(out.x.size()));
-    return out;
-}
-
-}  // namespace
 
 void packets_are_the_value_within_float_error(const Trial& trial) {
     const Floats input = packet_input(trial);
