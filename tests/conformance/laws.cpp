@@ -78,8 +78,6 @@ Trial trial_of(const Subject& subject, std::uint64_t seed, std::size_t random_co
     return trial;
 }
 
-<<<<<<< HEAD
-
 void Trial::report(std::string what) const {
     std::size_t already = 0;
     for (const Violation& v : *violations) already += v.law == law;
