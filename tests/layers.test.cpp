@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,7 +148,7 @@ Words faults_of_length(const std::string& path, const std::string& text) {
 /// Sources under the given folders of the project, sorted, with their texts.
 template <class Judge>
 Words faults_in(const Words& folders, Judge judge) {
-    const fs::path root = PINFIELD_SOURCE_DIR;
+    const fs::path root = pinfield::test::source_dir();
     std::vector<fs::path> files;
     for (const std::string& folder : folders) {
         if (!fs::exists(root / folder)) continue;

@@ -4,6 +4,7 @@
 #include <regex>
 
 #include "tests/cli/run.h"
+#include "tests/places.h"
 
 using namespace pinfield::cli_test;
 namespace fs = std::filesystem;
@@ -28,7 +29,7 @@ bool is_mapped(const std::string& section, const fs::path& file) {
 }  // namespace
 
 TEST_CASE("the README's first table has at most ten lines, is right, and plays") {
-    const std::string yaml = block_after(slurp(fs::path(PINFIELD_SOURCE_DIR) / "README.md"), "## Your first table", "```yaml");
+    const std::string yaml = block_after(slurp(fs::path(pinfield::test::source_dir()) / "README.md"), "## Your first table", "```yaml");
     CHECK(lines_of(yaml).size() <= 10);
     const Scratch scratch;
     const std::string table = scratch.write("my_table.yaml", yaml);
@@ -42,7 +43,7 @@ TEST_CASE("the README's first table has at most ten lines, is right, and plays")
 }
 
 TEST_CASE("the map of the engine names every file") {
-    const fs::path engine = fs::path(PINFIELD_SOURCE_DIR) / "engine";
+    const fs::path engine = fs::path(pinfield::test::source_dir()) / "engine";
     const std::string map = slurp(engine / "README.md");
     for (const auto& layer : fs::directory_iterator(engine)) {
         if (!layer.is_directory()) continue;

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace pinfield::cli_test {
 
 inline std::string slurp(const std::filesystem::path& path) {
@@ -52,7 +54,7 @@ struct Outcome {
 inline Outcome run_pinfield(const std::string& arguments, const std::string& redirect = "") {
     const Scratch scratch;
     const std::string out = scratch / "out", err = scratch / "err";
-    const std::string command = std::string("cd ") + PINFIELD_SOURCE_DIR + " && " + PINFIELD_BIN_DIR + "/pinfield " + arguments +
+    const std::string command = std::string("cd ") + pinfield::test::source_dir() + " && " + pinfield::test::bin_dir() + "/pinfield " + arguments +
                                 " >" + (redirect.empty() ? out : redirect) + " 2>" + err + " </dev/null";
     const int status = std::system(command.c_str());
     const int exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

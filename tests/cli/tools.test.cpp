@@ -5,6 +5,7 @@
 #include <regex>
 
 #include "tests/cli/run.h"
+#include "tests/places.h"
 
 using namespace pinfield::cli_test;
 using nlohmann::json;
@@ -14,7 +15,7 @@ namespace {
 
 std::vector<fs::path> yaml_files(const std::string& folder) {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::directory_iterator(fs::path(PINFIELD_SOURCE_DIR) / folder))
+    for (const auto& entry : fs::directory_iterator(fs::path(pinfield::test::source_dir()) / folder))
         if (entry.path().extension() == ".yaml") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     return files;
@@ -126,10 +127,10 @@ TEST_CASE("render writes a PNG of the size asked for") {
 
 TEST_CASE("format prints the canonical form, which is its own canonical form, and leaves the file alone") {
     const Scratch scratch;
-    const std::string before = slurp(fs::path(PINFIELD_SOURCE_DIR) / first_table);
+    const std::string before = slurp(fs::path(pinfield::test::source_dir()) / first_table);
     const Outcome once = run_pinfield("format " + first_table);
     REQUIRE(once.exit == 0);
-    CHECK(slurp(fs::path(PINFIELD_SOURCE_DIR) / first_table) == before);
+    CHECK(slurp(fs::path(pinfield::test::source_dir()) / first_table) == before);
     const Outcome twice = run_pinfield("format " + scratch.write("once.yaml", once.out));
     CHECK(twice.exit == 0);
     CHECK(twice.out == once.out);

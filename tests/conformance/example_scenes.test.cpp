@@ -8,11 +8,12 @@
 #include "engine/io/load_table.h"
 #include "engine/program/compile.h"
 #include "engine/scene/catalog.h"
+#include "tests/places.h"
 
 namespace pinfield::conformance {
 namespace {
 
-std::string folder() { return std::string(PINFIELD_SOURCE_DIR) + "/scenes/nodes/"; }
+std::string folder() { return test::source_dir() + "/scenes/nodes/"; }
 
 }  // namespace
 

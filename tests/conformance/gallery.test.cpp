@@ -13,6 +13,7 @@
 #include "engine/program/compile.h"
 #include "engine/program/evaluate.h"
 #include "engine/scene/catalog.h"
+#include "tests/places.h"
 
 namespace pinfield::conformance {
 namespace {
@@ -31,7 +32,7 @@ struct Gallery {
 
 Gallery open_gallery() {
     const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
-    const Result<LoadedTable> table = load_table(std::string(PINFIELD_SOURCE_DIR) + "/scenes/tables/gallery.yaml", catalogue);
+    const Result<LoadedTable> table = load_table(test::source_dir() + "/scenes/tables/gallery.yaml", catalogue);
     REQUIRE(table.has_value());
     for (const Diagnostic& diagnostic : table->diagnostics) FAIL_CHECK(format(diagnostic, *table->source));
     const auto program = compile(table->scene);

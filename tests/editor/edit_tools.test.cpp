@@ -8,6 +8,7 @@
 
 #include "engine/core/rng.h"
 #include "tests/editor/support.h"
+#include "tests/places.h"
 
 using namespace pinfield;
 using namespace pinfield::editor;
@@ -23,8 +24,8 @@ Vec2 world_place(const Document& document, std::string_view node) {
 std::vector<std::string> example_tables() {
     std::vector<std::string> paths;
     for (const char* folder : {"/scenes/nodes", "/scenes/tables"})
-        if (std::filesystem::exists(std::string(PINFIELD_SOURCE_DIR) + folder))
-            for (const auto& entry : std::filesystem::directory_iterator(std::string(PINFIELD_SOURCE_DIR) + folder))
+        if (std::filesystem::exists(test::source_dir() + folder))
+            for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() + folder))
                 if (entry.path().extension() == ".yaml") paths.push_back(entry.path().string());
     std::sort(paths.begin(), paths.end());
     return paths;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/places.h"
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +37,7 @@ struct Workplace {
     explicit Workplace(const std::string& name) : folder(fs::temp_directory_path() / ("pinfield_gui_" + name)) {
         fs::remove_all(folder);
         fs::create_directories(folder);
-        fs::copy_file(fs::path(PINFIELD_SOURCE_DIR) / "scenes/tables/first_table.yaml", table());
+        fs::copy_file(fs::path(pinfield::test::source_dir()) / "scenes/tables/first_table.yaml", table());
     }
     ~Workplace() { fs::remove_all(folder); }
     fs::path table() const { return folder / "table.yaml"; }
@@ -49,7 +51,7 @@ struct Outcome {
 
 Outcome run_editor(const Workplace& place, const std::string& arguments) {
     const fs::path log = place.in("log.txt");
-    const std::string command = "cd '" + place.folder.string() + "' && '" PINFIELD_BIN_DIR "/pinfield-editor' " + arguments + " > '" + log.string() + "' 2>&1";
+    const std::string command = "cd '" + place.folder.string() + "' && '" + pinfield::test::bin_dir() + "/pinfield-editor' " + arguments + " > '" + log.string() + "' 2>&1";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(log)};
 }
@@ -79,7 +81,7 @@ TEST_CASE("the editor opens a table, runs some frames, leaves a picture and exit
     const std::string png = read(place.in("shot.png"));
     CHECK(png.substr(1, 3) == "PNG");
     CHECK(png.size() > 20'000);
-    CHECK(read(place.table()) == read(fs::path(PINFIELD_SOURCE_DIR) / "scenes/tables/first_table.yaml"));
+    CHECK(read(place.table()) == read(fs::path(pinfield::test::source_dir()) / "scenes/tables/first_table.yaml"));
 }
 
 TEST_CASE("dragging a bumper with the mouse while balls roll, then saving, changes one line of the file") {

@@ -12,6 +12,7 @@
 #include "engine/io/table_reader.h"
 #include "engine/scene/catalog.h"
 #include "engine/scene/edit.h"
+#include "tests/places.h"
 
 namespace pinfield::test {
 
@@ -48,7 +49,7 @@ inline std::string file_text(const std::filesystem::path& path) {
 /// Table files of a folder of scenes/, in the order of their names.
 inline std::vector<std::filesystem::path> scene_files(const std::string& folder) {
     std::vector<std::filesystem::path> out;
-    const std::filesystem::path root = std::filesystem::path(PINFIELD_SOURCE_DIR) / "scenes" / folder;
+    const std::filesystem::path root = std::filesystem::path(test::source_dir()) / "scenes" / folder;
     if (!std::filesystem::exists(root)) return out;
     for (const auto& entry : std::filesystem::directory_iterator(root))
         if (entry.path().extension() == ".yaml") out.push_back(entry.path());

@@ -8,6 +8,7 @@
 #include "engine/physics/world.h"
 #include "engine/program/compile.h"
 #include "engine/scene/catalog.h"
+#include "tests/places.h"
 
 namespace pinfield::physics_test {
 
@@ -31,7 +32,7 @@ inline ProgramPtr program_of(const std::string& text) {
 }
 
 inline ProgramPtr first_table() {
-    const auto loaded = load_table(PINFIELD_SOURCE_DIR "/scenes/tables/first_table.yaml", catalogue());
+    const auto loaded = load_table(test::source_dir() + "/scenes/tables/first_table.yaml", catalogue());
     REQUIRE(loaded);
     return compiled(*loaded);
 }

@@ -5,6 +5,7 @@
 
 #include "engine/io/load_table.h"
 #include "engine/scene/playfield.h"
+#include "tests/places.h"
 #include "tests/program/same_program.h"
 #include "tests/program/tables.h"
 
@@ -106,7 +107,7 @@ TEST_CASE("a patched program equals a recompiled one, whatever field of a random
 }
 
 TEST_CASE("a patched program equals a recompiled one, whatever field of the first table changes") {
-    auto table = load_table(PINFIELD_SOURCE_DIR "/scenes/tables/first_table.yaml", catalogue());
+    auto table = load_table(test::source_dir() + "/scenes/tables/first_table.yaml", catalogue());
     REQUIRE(table);
     REQUIRE(table->ok());
     Tally tally;

@@ -12,6 +12,7 @@
 #include "engine/scene/catalog.h"
 #include "tests/conformance/sheet/page.h"
 #include "tests/conformance/sheet/picture.h"
+#include "tests/places.h"
 
 namespace {
 
@@ -19,7 +20,7 @@ using namespace pinfield;
 using namespace pinfield::conformance;
 namespace fs = std::filesystem;
 
-const std::string root = std::string(PINFIELD_SOURCE_DIR) + "/";
+const std::string root = test::source_dir() + "/";
 constexpr int shape_sets = 12, operation_sets = 4;  // the latter over several sets of children each
 
 template <class T>
