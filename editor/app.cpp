@@ -67,9 +67,10 @@ std::string App::run(ScriptRunner script) {
     return script.failure();
 }
 
-void App::press_key(std::string_view key, bool down) {
+bool App::press_key(std::string_view key, bool down) {
     const int code = key_code(key);
     if (code >= 0) window_->on_key(code, down);
+    return code >= 0;
 }
 
 void App::frame() {

@@ -40,7 +40,7 @@ public:
     // What scripts do goes through the window's own entry points.
     void move_mouse(const Vec2& pixel) override { window_->on_cursor(pixel.x(), pixel.y()); }
     void press_mouse(bool down) override { window_->on_button(0, down); }
-    void press_key(std::string_view key, bool down) override;
+    bool press_key(std::string_view key, bool down) override;
     /// Draws a frame without a tick and writes it as a PNG.
     Result<bool> screenshot(const std::string& path) override;
     int ticks_per_frame() const override { return options_.ticks_per_frame; }

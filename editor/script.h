@@ -16,7 +16,7 @@ public:
     virtual ~ScriptHost() = default;
     virtual void move_mouse(const Vec2& pixel) = 0;  ///< window pixels, y down
     virtual void press_mouse(bool down) = 0;         ///< the left button
-    virtual void press_key(std::string_view key, bool down) = 0;
+    virtual bool press_key(std::string_view key, bool down) = 0;  ///< false when no keyboard has it
     /// Writes the frame drawn last as a PNG.
     virtual Result<bool> screenshot(const std::string& path) = 0;
     virtual int ticks_per_frame() const = 0;

@@ -1,7 +1,9 @@
-// pinfield eval FILE --points P.csv: the table's signed distance, its gradient and the surface it belongs to, point by point.
+// pinfield eval FILE --points P.csv: the table's signed distance, its gradient, the surface it belongs to, and whether
+// it is certified to be the distance, point by point.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "engine/cli/command.h"
 #include "engine/cli/csv.h"
@@ -23,13 +25,21 @@ struct Answer {
     double distance = infinity;
     Vec2 gradient{0, 0};
     NodeId node;
+    bool certified = false;
+    double next = infinity;  ///< least of the others' distances
 
     void offer(const Nearest& nearest, const Field& field, const Vec2& turned_gradient) {
-        if (nearest.leaf < 0 || nearest.distance >= distance) return;
+        if (nearest.leaf < 0) return;
+        next = std::min(next, std::max(nearest.distance, distance));
+        if (nearest.distance >= distance) return;
         distance = nearest.distance;
         gradient = turned_gradient;
+        certified = nearest.certified;
         node = field.ops[static_cast<std::size_t>(nearest.leaf)].origin;
     }
+    /// From outside nothing else can be nearer: what is not certified is a bound of its own distance. From inside, the end of the way out
+    /// must lie in nothing else.
+    bool is_certified() const { return certified && (distance >= 0 || next > -distance); }
 };
 
 /// A static solid that bounds the space for balls instead of standing in it: the domain, written or made of the table's size.
@@ -65,15 +75,15 @@ void eval(const Options& options) {
     const std::vector<CsvRecord> records = value_or_stop(read_csv(options.points, "x,y"));
 
     Output out(options.out);
-    out.write("x,y,distance,grad_x,grad_y,node\n");
+    out.write("x,y,distance,grad_x,grad_y,node,certified\n");
     for (const CsvRecord& record : records) {
         const Vec2 p(value_or_stop(csv_number(options.points, record, 0)), value_or_stop(csv_number(options.points, record, 1)));
         Answer answer;
         ask_static(table, p, options.shapes_only, answer);
         for (std::size_t i = 0; i < program.movers.size(); ++i) ask_mover(program, static_cast<int>(i), p, answer);
         const std::string node = answer.distance < infinity ? name_of(table.scene, answer.node) : "";
-        out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{}\n", p.x(), p.y(), answer.distance, answer.gradient.x(),
-                              answer.gradient.y(), node));
+        out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), answer.distance, answer.gradient.x(),
+                              answer.gradient.y(), node, answer.is_certified()));
     }
     out.finish();
 }

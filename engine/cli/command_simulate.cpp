@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <algorithm>
 #include <cmath>
 
@@ -140,6 +141,13 @@ void run(const Options& options) {
     print(options.json ? json_of(summary, name).text() + "\n" : text_of(summary, name, world.step_length()));
 }
 
+/// CLI11 would wrap a sign and saturate what is too large.
+std::string refuse_seed(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    return error == std::errc() && end == text.data() + text.size() ? "" : fmt::format("{} is no whole number from 0 to 2^64 - 1", text);
+}
+
 }  // namespace
 
 void add_simulate(CLI::App& app, Exit& exit) {
@@ -150,7 +158,9 @@ void add_simulate(CLI::App& app, Exit& exit) {
     CLI::Option* balls = command->add_option("--balls", options->balls, "Scatter this many balls that ignore each other, in place of the spawns")
                              ->check(CLI::Range(0, 1'000'000));
     add_quantity(*command, "--speed", options->speed, Unit::metre_per_second, from(0), to(1e6), "Of the scattered balls, m/s (1)")->needs(balls);
-    command->add_option("--seed", options->seed, "Of everything random")->capture_default_str();
+    command->add_option("--seed", options->seed, "Of everything random: a whole number from 0 to 2^64 - 1")
+        ->check([](const std::string& text) { return refuse_seed(text); })
+        ->capture_default_str();
     command->add_option("--launch", options->launches, "Add a ball x,y,vx,vy in place of the spawns; may be repeated")
         ->allow_extra_args(false)
         ->check([](const std::string& text) { return refuse_launch(text); });

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int most_rounds = 32;      // of resolving simultaneous contacts
 constexpr int hops_per_tick = 16;    // of a ball that follows a hollow or an accelerating surface
+constexpr double steepest_hop = 0.1; // its normal speed per speed along the hollow: fast balls in narrow ones take more hops instead
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -87,7 +88,8 @@ Impact judge(const WorldState& w, const BallWork& work, const Contact& c, const 
     impact.approach = u;
     impact.collapsed = u <= 1e-6 * w.physics.rest_speed || (e < 1 && (u <= rest || 2 * u <= press * (1 - e) * left));
     impact.restitution = impact.collapsed ? 0.0 : e;
-    if (impact.collapsed) impact.hop = (bend + pushed) * 0.5 * std::min(left, h / hops_per_tick);
+    const double hop_time = 0.5 * std::min(left, h / hops_per_tick);
+    if (impact.collapsed) impact.hop = std::min(bend * hop_time, steepest_hop * std::fabs(sliding)) + pushed * hop_time;
     return impact;
 }
 
@@ -142,6 +144,9 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
         const double along = dot(ball.velocity, t), kept = speed_before * speed_before - impact.hop * impact.hop;
         if (kept > along * along) ball.velocity = impact.hop * n + (along < 0 ? -std::sqrt(kept) : std::sqrt(kept)) * t;
     }
+    // A hop is no push: off a surface at rest the ball leaves no faster than it came.
+    const double speed = length(ball.velocity);
+    if (c.mover < 0 && impact.hop > 0 && speed > speed_before) ball.velocity *= speed_before / speed;
 
     // Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre.
     const bool frictionless = w.options.restitution.has_value();

@@ -4,6 +4,7 @@
 
 #include "engine/program/cutting.h"
 #include "engine/program/evaluate.h"
+#include "engine/program/piece_distance.h"
 
 namespace pinfield {
 namespace {
@@ -47,18 +48,31 @@ private:
                 continue;
             }
             if (!leaf.bounds.grown(tolerance_).contains(probe.at)) continue;
-            const sdf::Sample sample = evaluate_tree(field_, leaf.leaf, leaf.field_from_leaf.inverse() * probe.at);
+            const sdf::Sample sample = sample_of(leaf, probe.at);
             if (std::fabs(sample.value) > tolerance_) {
                 left[i] = right[i] = sample.value < 0;
                 continue;
             }
             if (static_cast<int>(i) < edge.owner) return;
-            const bool same_way = dot(leaf.field_from_leaf.direction(sample.gradient), probe.right) > 0;
+            const bool same_way = dot(sample.gradient, probe.right) > 0;
             left[i] = same_way;
             right[i] = !same_way;
         }
         const bool solid_left = is_in_tree(field_, root_, left), solid_right = is_in_tree(field_, root_, right);
         if (solid_left != solid_right) out.push_back({solid_left ? part : reversed(part), edge.origin});
+    }
+
+    /// The leaf's distance at p, or a bound of it. What was traced is asked by its outline, which is what the others are cut by.
+    sdf::Sample sample_of(const LeafImage& leaf, const Vec2& p) const {
+        const sdf::Sample own = evaluate_tree(field_, leaf.leaf, leaf.field_from_leaf.inverse() * p);
+        if (!leaf.traced) return {own.value, leaf.field_from_leaf.direction(own.gradient)};
+        PieceFoot nearest;
+        for (const Piece& piece : leaf.outline) {
+            const PieceFoot foot = foot_on_piece(piece, p);
+            if (foot.distance < nearest.distance) nearest = foot;
+        }
+        const bool inside = nearest.interior ? nearest.inside : own.value < 0;
+        return {inside ? -nearest.distance : nearest.distance, nearest.normal};
     }
 
     const Field& field_;

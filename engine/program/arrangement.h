@@ -8,11 +8,12 @@ namespace pinfield {
 
 /// One appearance of a leaf: images operations show their child several times.
 struct LeafImage {
-    int leaf = 0;                ///< op: a shape, or an offset of a solid whose boundary was found before
+    int leaf = 0;                ///< op: a shape; an offset of a solid whose boundary was found before; or what was traced
     Similarity field_from_leaf;  ///< isometry: from where the leaf itself stands to where this appearance does
     sdf::Outline outline;        ///< in the field's frame, solid on the left
     Box2 bounds;
-    std::vector<int> origins{};  ///< of an offset: the shape that each piece of the outline comes from
+    std::vector<int> origins{};  ///< of all but a shape: the shape that each piece of the outline comes from
+    bool traced = false;         ///< the outline strays from the leaf's own zero line by up to trace_tolerance
 
     int origin(std::size_t piece) const { return origins.empty() ? leaf : origins[piece]; }
 };
@@ -23,15 +24,20 @@ struct OwnedPiece {
     int origin = 0;  ///< op
 };
 
-/// All appearances below an op, in the order a walk of the tree meets them; empty when the tree holds anything but
-/// shapes with outlines under union, intersection, difference, xor, complement, images, and round, inset and onion of such.
+/// All appearances below an op, in the order a walk of the tree meets them: shapes with outlines, and round, inset and onion of such, under
+/// union, intersection, difference, xor, complement and images; whatever else is there is traced as a whole. Empty when some of that
+/// cannot be.
 std::vector<LeafImage> leaf_images(const Field& field, int root);
 
 /// Is a point in the tree's solid, given for each appearance whether it is in that one?
 bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf);
 
-/// The boundary of the solid below an op, or nothing where leaf_images() finds nothing, or no boundary is there to be found.
-std::vector<OwnedPiece> boundary_below(const Field& field, int root);
+struct FoundBoundary {
+    std::vector<OwnedPiece> pieces;
+    bool traced = false;  ///< some of it is a fitted zero line
+};
+/// The boundary of the solid below an op; no pieces where none is there to be found.
+FoundBoundary boundary_below(const Field& field, int root);
 
 /// The boundary of the tree's solid: every outline is cut where others meet it, and those cuts stay that have the solid
 /// on one side only, turned so that it is the left one.

@@ -67,11 +67,11 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
 }
 
 /// An offset of a bound is the offset of some other figure. Where a tree's field is only a bound on the side that the offset looks at, its
-/// boundary takes its place, if it has one of lines and arcs.
+/// boundary takes its place, if it has one.
 int Emitter::exact_below_offset(int child, const sdf::Affine& offset) {
     const Op tree = field_.ops[static_cast<std::size_t>(child)];
     if (offset_is_exact(tree.exactness, offset)) return child;
-    const std::vector<OwnedPiece> pieces = boundary_below(field_, child);
+    const std::vector<OwnedPiece> pieces = boundary_below(field_, child).pieces;
     if (pieces.empty()) return child;
     sdf::Outline outline;
     for (const OwnedPiece& owned : pieces) outline.push_back(owned.piece);

@@ -1,7 +1,9 @@
 #include "engine/program/evaluate.h"
 
 #include "engine/program/piece_distance.h"
+#include "engine/program/trace.h"
 #include "engine/program/tree.h"
+#include "engine/program/zero_loops.h"
 
 namespace pinfield {
 namespace {
@@ -29,7 +31,7 @@ Nearest surface(const Field& field, int piece, const Vec2& p, bool inside_at_end
     Nearest out;
     out.solid = boundary.solid;
     out.leaf = boundary.leaf;
-    out.certified = true;
+    out.certified = !solid_at(field, boundary.solid).traced;
     const bool inside = foot.interior ? foot.inside : inside_at_ends;
     out.distance = inside ? -foot.distance : foot.distance;
     out.gradient = inside && !foot.interior ? Vec2(-foot.normal) : foot.normal;
@@ -72,6 +74,25 @@ Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
         out.distance = box.distance(p);
         out.gradient = from_box / length(from_box);
     }
+    return out;
+}
+
+/// A traced boundary is a hair's breadth off the formula's zero line. The formula itself may know the distance; else the foot is moved
+/// onto that line, which leaves of the error no more than its square.
+Nearest corrected(const Field& field, const Nearest& found, const Vec2& p) {
+    if (found.solid < 0 || !solid_at(field, found.solid).traced) return found;
+    const int root = solid_at(field, found.solid).root;
+    const double size = field.ops[static_cast<std::size_t>(root)].bounds.is_finite() ? solid_at(field, found.solid).bounds.size().maxCoeff() : length(p);
+    const double error = 2 * trace_tolerance * size;
+    const sdf::Sample s = evaluate_tree(field, root, p);
+    if (std::fabs(s.value - found.distance) <= error && is_certified(field, field.ops[static_cast<std::size_t>(root)], root, p, s))
+        return {s.value, s.gradient, found.solid, found.leaf, true};
+    const std::optional<ZeroPoint> foot = zero_point_near(field, root, p - found.distance * found.gradient, size);
+    if (!foot || std::fabs(length(p - foot->at) - std::fabs(found.distance)) > error) return found;
+    Nearest out = found;
+    const double distance = length(p - foot->at);
+    out.distance = found.distance < 0 ? -distance : distance;
+    if (distance > error) out.gradient = (p - foot->at) / out.distance;
     return out;
 }
 
@@ -138,7 +159,7 @@ Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, dou
 Nearest nearest_of_solid(const Field& field, int index, const Vec2& p) {
     const Solid& solid = solid_at(field, index);
     if (!solid.lowered) return surface_of_tree(field, index, p);
-    return surface(field, nearest_piece_of(field, index, p), p, contains(field, solid, p));
+    return corrected(field, surface(field, nearest_piece_of(field, index, p), p, contains(field, solid, p)), p);
 }
 
 Nearest nearest(const Field& field, const Vec2& p, LayerMask layers, double reach) {
@@ -151,7 +172,7 @@ Nearest nearest(const Field& field, const Vec2& p, LayerMask layers, double reac
         const Nearest here = nearest_of_solid(field, static_cast<int>(i), p);
         if (here.distance < deepest.distance) deepest = here;
     }
-    if (containing == 0) return nearest_outside(field, p, layers, reach);
+    if (containing == 0) return corrected(field, nearest_outside(field, p, layers, reach), p);
     // The way out ends in the open only when no other solid lies over the end of it.
     const Vec2 exit = p - deepest.distance * deepest.gradient;
     if (containing > 1 || (deepest.certified && is_covered(field, exit, layers, deepest.solid)))

@@ -13,13 +13,15 @@ struct Nearest {
     bool certified = false;      ///< the distance is the true one, not only a bound
 };
 
-/// Signed distance to the union of the solids of these layers: the minimum over solids of each one's distance, which is exact
-/// for lowered solids and for trees whose side is exact or whose foot point certifies it (SDF_CATALOGUE 2.4). Outside every
-/// solid the minimum over exact values is exact; inside overlapping solids it is a bound and not certified.
+/// Signed distance to the union of the solids of these layers: the minimum over solids of each one's distance, which is exact for
+/// solids of lines and arcs and where the formula's side is exact or its foot point certifies it (SDF_CATALOGUE 2.4), and within
+/// 1e-9 of its size for what was traced. Outside every solid the minimum over exact values is exact; inside overlapping solids it
+/// is a bound and not certified.
 /// `reach`: surfaces farther than this may be left out (the result then has solid == -1 and distance == reach).
 Nearest nearest(const Field& field, const Vec2& p, LayerMask layers = ground_layer, double reach = infinity);
 
-/// As nearest(), for a point known to lie outside all solids: skips the inside tests. What the sweep asks.
+/// As nearest(), for a point known to lie outside all solids, and as the ball meets them: skips the inside tests, and takes a traced
+/// boundary for the solid's own, never certified. What the sweep asks.
 Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, double reach);
 
 /// Signed distance to one solid alone.

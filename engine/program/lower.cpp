@@ -1,9 +1,13 @@
 #include "engine/program/lower.h"
 
+#include <algorithm>
+#include <map>
+
 #include "engine/program/arrangement.h"
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
 #include "engine/program/piece_distance.h"
+#include "engine/program/trace.h"
 
 namespace pinfield {
 namespace {
@@ -37,54 +41,80 @@ bool is_boolean(const sdf::Kernels& kernels, const double* params) {
     return false;
 }
 
-bool add_offset(const Field& field, int index, const Similarity& chain, std::vector<LeafImage>& out) {
-    const Op& op = field.ops[static_cast<std::size_t>(index)];
-    const int child = field.links[static_cast<std::size_t>(op.first_link)];
+/// A walk of a tree for its leaves. What was traced once is copied where images show it again.
+class LeafCollector {
+public:
+    explicit LeafCollector(const Field& field) : field_(field) {}
+
+    /// False when something below the op has no outline and cannot be traced.
+    bool collect(int index, const Similarity& chain);
+    std::vector<LeafImage> leaves;
+
+private:
+    bool add_shape(int index, const Similarity& chain);
+    bool add_offset(int index, const Similarity& chain);
+    bool add_traced(int index, const Similarity& chain);
+    bool add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, bool traced);
+
+    const Field& field_;
+    std::map<int, std::vector<OwnedPiece>> traced_;
+};
+
+bool LeafCollector::add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, bool traced) {
+    if (pieces.empty()) return false;
     LeafImage leaf{index, chain, {}, {}};
-    for (const OwnedPiece& piece : offset_boundary(field, index, boundary_below(field, child))) {
+    leaf.traced = traced;
+    for (const OwnedPiece& piece : pieces) {
         leaf.outline.push_back(moved(chain, piece.piece));
         leaf.origins.push_back(piece.origin);
         leaf.bounds = leaf.bounds.merged(bounds_of(leaf.outline.back()));
     }
-    if (leaf.outline.empty()) return false;
-    out.push_back(std::move(leaf));
+    leaves.push_back(std::move(leaf));
     return true;
 }
 
-bool add_leaf(const Field& field, int index, const Similarity& chain, std::vector<LeafImage>& out) {
-    const Op& op = field.ops[static_cast<std::size_t>(index)];
+bool LeafCollector::add_offset(int index, const Similarity& chain) {
+    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    const FoundBoundary below = boundary_below(field_, field_.links[static_cast<std::size_t>(op.first_link)]);
+    // The offset's own field is the distance to a formula's zero line, and a hair's breadth from parallels of what was fitted to it.
+    if (below.pieces.empty() || below.traced) return add_traced(index, chain);
+    return add(index, chain, offset_boundary(field_, index, below.pieces), false);
+}
+
+bool LeafCollector::add_traced(int index, const Similarity& chain) {
+    const auto known = traced_.find(index);
+    return add(index, chain, known != traced_.end() ? known->second : traced_[index] = traced_boundary(field_, index), true);
+}
+
+bool LeafCollector::add_shape(int index, const Similarity& chain) {
+    const Op& op = field_.ops[static_cast<std::size_t>(index)];
     sdf::Outline local;
-    op.kernels->outline(field.params.data() + op.params, local);
-    if (local.empty()) return false;
-    LeafImage leaf{index, chain, {}, {}};
-    const Similarity field_from_local = chain * op.local_from_field.inverse();
-    for (const Piece& piece : local) {
-        leaf.outline.push_back(moved(field_from_local, piece));
-        leaf.bounds = leaf.bounds.merged(bounds_of(leaf.outline.back()));
-    }
-    out.push_back(std::move(leaf));
-    return true;
+    op.kernels->outline(field_.params.data() + op.params, local);
+    const Similarity field_from_local = op.local_from_field.inverse();
+    std::vector<OwnedPiece> pieces;
+    for (const Piece& piece : local) pieces.push_back({moved(field_from_local, piece), index});
+    return add(index, chain, pieces, false);
 }
 
-bool collect(const Field& field, int index, const Similarity& chain, std::vector<LeafImage>& out) {
-    const Op& op = field.ops[static_cast<std::size_t>(index)];
-    if (is_boundary(op)) return collect(field, field.links[static_cast<std::size_t>(op.first_link)], chain, out);
-    if (op.kernels->form == Form::modify && !is_boolean(*op.kernels, field.params.data() + op.params)) return add_offset(field, index, chain, out);
-    if (!is_boolean(*op.kernels, field.params.data() + op.params)) return false;
-    if (op.kernels->form == Form::shape) return add_leaf(field, index, chain, out);
+bool LeafCollector::collect(int index, const Similarity& chain) {
+    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    if (is_boundary(op)) return collect(field_.links[static_cast<std::size_t>(op.first_link)], chain);
+    if (!is_boolean(*op.kernels, field_.params.data() + op.params))
+        return op.kernels->form == Form::modify ? add_offset(index, chain) : add_traced(index, chain);
+    if (op.kernels->form == Form::shape) return add_shape(index, chain);
     const int appearances = op.kernels->form == Form::images ? op.image_count : 1;
     for (int image = 0; image < appearances; ++image)
         for (int i = 0; i < op.child_count; ++i) {
-            const int child = field.links[static_cast<std::size_t>(op.first_link + i)];
+            const int child = field_.links[static_cast<std::size_t>(op.first_link + i)];
             const bool in_place = op.kernels->form != Form::images;
             const Similarity here =
-                in_place ? chain : chain * field.images[static_cast<std::size_t>(op.first_image + image)];
-            if (!collect(field, child, here, out)) return false;
+                in_place ? chain : chain * field_.images[static_cast<std::size_t>(op.first_image + image)];
+            if (!collect(child, here)) return false;
         }
     return true;
 }
 
-/// Walks the tree as collect() does; a field of -1 stands for inside and 1 for outside.
+/// Walks the tree as LeafCollector does; a field of -1 stands for inside and 1 for outside.
 double membership(const Field& field, int index, const std::vector<char>& in_leaf, std::size_t& next) {
     const Op& op = field.ops[static_cast<std::size_t>(index)];
     const double* params = field.params.data() + op.params;
@@ -95,6 +125,7 @@ double membership(const Field& field, int index, const std::vector<char>& in_lea
     switch (op.kernels->form) {
         case Form::shape: return in_leaf[next++] ? -1.0 : 1.0;
         case Form::fold: {
+            if (!is_boolean(*op.kernels, params)) return in_leaf[next++] ? -1.0 : 1.0;
             double value = child(0);
             for (int i = 1; i < op.child_count; ++i) value = op.kernels->combine(params, value, child(i));
             return value;
@@ -107,7 +138,7 @@ double membership(const Field& field, int index, const std::vector<char>& in_lea
             for (int i = 0; i < op.image_count; ++i) value = std::min(value, child(0));
             return value;
         }
-        case Form::warp: break;  // never lowered
+        case Form::warp: return in_leaf[next++] ? -1.0 : 1.0;
     }
     return 1;
 }
@@ -115,9 +146,9 @@ double membership(const Field& field, int index, const std::vector<char>& in_lea
 }  // namespace
 
 std::vector<LeafImage> leaf_images(const Field& field, int root) {
-    std::vector<LeafImage> out;
-    if (!collect(field, root, Similarity{}, out)) out.clear();
-    return out;
+    LeafCollector collector(field);
+    if (!collector.collect(root, Similarity{})) return {};
+    return std::move(collector.leaves);
 }
 
 bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf) {
@@ -125,20 +156,24 @@ bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf) 
     return membership(field, root, in_leaf, next) < 0;
 }
 
-std::vector<OwnedPiece> boundary_below(const Field& field, int root) {
+FoundBoundary boundary_below(const Field& field, int root) {
     const std::vector<LeafImage> leaves = leaf_images(field, root);
-    return leaves.empty() ? std::vector<OwnedPiece>{} : boundary_of(field, root, leaves);
+    // A leaf without end, such as a half plane, may be part of a solid that has one.
+    if (leaves.empty()) return {traced_boundary(field, root), true};
+    const bool traced = std::any_of(leaves.begin(), leaves.end(), [](const LeafImage& leaf) { return leaf.traced; });
+    return {boundary_of(field, root, leaves), traced};
 }
 
 void lower(Field& field, int index) {
     Solid& solid = field.solids[static_cast<std::size_t>(index)];
     solid.first_piece = static_cast<int>(field.pieces.size());
-    const std::vector<OwnedPiece> boundary = boundary_below(field, solid.root);
-    if (boundary.empty()) return;  // nothing, or everything: only the tree can tell which
-    for (const OwnedPiece& piece : boundary)
+    const FoundBoundary boundary = boundary_below(field, solid.root);
+    if (boundary.pieces.empty()) return;  // nothing, or everything: only the tree can tell which
+    for (const OwnedPiece& piece : boundary.pieces)
         field.pieces.push_back({piece.piece, index, piece.origin, solid.layers});
-    solid.piece_count = static_cast<int>(boundary.size());
+    solid.piece_count = static_cast<int>(boundary.pieces.size());
     solid.lowered = true;
+    solid.traced = boundary.traced;
 }
 
 }  // namespace pinfield

@@ -45,7 +45,8 @@ struct Solid {
     LayerMask layers = ground_layer;
     bool visible = true;
     bool is_domain = false;  ///< what lies outside the space where balls may be
-    bool lowered = false; ///< its boundary is known as pieces: the distance is exact on both sides
+    bool lowered = false; ///< its boundary is known as pieces: the distance is right on both sides
+    bool traced = false;  ///< ... but some of them are fitted to a formula's zero line: right within trace_tolerance of its size
     int first_piece = 0;  ///< Field::pieces[first_piece ... + piece_count)
     int piece_count = 0;
 };

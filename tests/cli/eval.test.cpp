@@ -11,18 +11,22 @@ namespace {
 struct Row {
     double x, y, distance, grad_x, grad_y;
     std::string node;
+    bool certified;
 };
 
 std::vector<Row> rows_of(const std::string& csv) {
     const std::vector<std::string> lines = lines_of(csv);
     REQUIRE_FALSE(lines.empty());
-    REQUIRE(lines[0] == "x,y,distance,grad_x,grad_y,node");
+    REQUIRE(lines[0] == "x,y,distance,grad_x,grad_y,node,certified");
     std::vector<Row> rows;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         Row row{};
-        char node[256] = "";
-        REQUIRE(std::sscanf(lines[i].c_str(), "%lf,%lf,%lf,%lf,%lf,%255s", &row.x, &row.y, &row.distance, &row.grad_x, &row.grad_y, node) >= 5);
-        row.node = node;
+        char rest[256] = "";
+        REQUIRE(std::sscanf(lines[i].c_str(), "%lf,%lf,%lf,%lf,%lf,%255s", &row.x, &row.y, &row.distance, &row.grad_x, &row.grad_y, rest) == 6);
+        const std::string node_and_certified = rest;
+        const std::size_t comma = node_and_certified.rfind(',');
+        row.node = node_and_certified.substr(0, comma);
+        row.certified = node_and_certified.substr(comma + 1) == "1";
         rows.push_back(row);
     }
     return rows;
@@ -50,6 +54,23 @@ TEST_CASE("eval gives the closed form of a circle, its gradient and its id") {
     CHECK(rows[1].distance == Approx(-0.05).epsilon(1e-14));
     CHECK(std::abs(rows[2].distance) < 1e-16);
     CHECK(rows[2].grad_y == Approx(1));
+}
+
+TEST_CASE("eval says whether a distance is certified: of a blend where nothing blends, not in it, and not where solids overlap") {
+    const std::string discs = "children: [circle: {radius: 0.05, at: [0.4, 0.5]}, circle: {radius: 0.05, at: [0.49, 0.5]}]}\n";
+    const std::vector<Row> goo = eval("scene:\n  - smooth_union: {k: 5mm, " + discs, "0.3,0.5\n0.445,0.6\n", "--shapes-only");
+    CHECK(goo[0].certified);
+    CHECK_FALSE(goo[1].certified);
+    const std::vector<Row> two = eval("scene:\n  - circle: {radius: 0.05, at: [0.4, 0.5]}\n  - circle: {radius: 0.05, at: [0.49, 0.5]}\n",
+                                      "0.445,0.6\n0.42,0.5\n0.37,0.5\n0.445,0.5\n", "--shapes-only");
+    CHECK(two[0].certified);
+    CHECK_FALSE(two[1].certified);  // the way out of the one ends in the other
+    CHECK(two[2].certified);
+    CHECK_FALSE(two[3].certified);
+    const std::vector<Row> one = eval("scene:\n  - union: {" + discs, "0.42,0.5\n0.445,0.5\n", "--shapes-only");
+    CHECK(one[0].certified);
+    CHECK(one[1].certified);
+    CHECK(one[1].distance == Approx(-std::sqrt(0.05 * 0.05 - 0.045 * 0.045)).epsilon(1e-12));
 }
 
 TEST_CASE("a table without a domain node has its size as the domain, and --shapes-only leaves it out") {

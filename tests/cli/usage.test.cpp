@@ -35,7 +35,8 @@ TEST_CASE("a wrong command line is exit 2, with words on stderr and nothing on s
           "simulate scenes/tables/first_table.yaml --seconds much", "simulate scenes/tables/first_table.yaml --launch 1,2,3",
           "simulate scenes/tables/first_table.yaml --launch 1,2,3,x", "simulate scenes/tables/first_table.yaml --restitution 2",
           "simulate scenes/tables/first_table.yaml --integrator magic", "simulate scenes/tables/first_table.yaml --step 0",
-          "simulate scenes/tables/first_table.yaml --balls -3", "nodes no_such_node", "nodes --json --markdown"}) {
+          "simulate scenes/tables/first_table.yaml --balls -3", "simulate scenes/tables/first_table.yaml --seed -1",
+          "simulate scenes/tables/first_table.yaml --seed 18446744073709551616", "nodes no_such_node", "nodes --json --markdown"}) {
         INFO(arguments);
         const Outcome outcome = run_pinfield(arguments);
         CHECK(outcome.exit == 2);

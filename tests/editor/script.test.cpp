@@ -27,8 +27,9 @@ public:
             if (!down) drag_.end(state_.document);
         });
     }
-    void press_key(std::string_view key, bool down) override {
+    bool press_key(std::string_view key, bool down) override {
         events_.push_back([this, name = std::string(key), down] { editor::press_key(state_, name, down); });
+        return key != "Nonsense";
     }
     Result<bool> screenshot(const std::string& path) override {
         if (path.empty()) return failure("no path");
@@ -140,7 +141,7 @@ TEST_CASE("a step that fails says its number, its line and why, and nothing runs
         Case{"{expect: {node: editor, field: hits, value: '> 100'}}", "editor.hits is 0, not > 100"},
         Case{"{set: {node: pop, field: radius, value: -1}}", "above 0"}, Case{"{set: {node: pop, field: radius, value: 3deg}}", "3deg"},
         Case{"{action: edit.redo}", "cannot be done now"}, Case{"{action: file.burn}", "no action file.burn"}, Case{"{select: nobody}", "no node nobody"},
-        Case{"{drag: {from: [0.25, 0.70], to: [9, 9]}}", "[9, 9] is not in the viewport"});
+        Case{"{key: {press: Nonsense, ticks: 10}}", "no key Nonsense"}, Case{"{drag: {from: [0.25, 0.70], to: [9, 9]}}", "[9, 9] is not in the viewport"});
     const Folder folder;
     AppState state = opened_state(folder);
     FakeWindow window(state);

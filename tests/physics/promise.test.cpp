@@ -64,6 +64,27 @@ TEST_CASE("a ball at 1000 m/s never passes a 1 mm wall") {
     }
 }
 
+TEST_CASE("a ball in a hollow hardly wider than itself gains no energy and stays in it, at any speed") {
+    const ProgramPtr program = program_of("pinfield: 1\nscene:\n  - domain: {children: [circle: {radius: 13.6mm, at: [0.2, 0.2]}]}\n");
+    for (const double speed : {1.0, 50.0, 700.0, 1400.0, 1e5, 1e6}) {
+        World world(program);
+        world.add_ball({0.20001, 0.2}, {0.707 * speed, 0.708 * speed});
+        world.record_paths(true);
+        Auditor auditor;
+        const double lift = world.physics().ball_mass * 1.2 * 2e-4;  // what gravity can give within the hollow, with room
+        double energy = world.energy();
+        for (int t = 0; t < 50; ++t) {
+            world.step();
+            auditor.after_tick(world);
+            INFO(speed << " m/s, tick " << t);
+            REQUIRE(world.energy() <= energy * (1 + 1e-9) + lift);
+            energy = world.energy();
+        }
+        CHECK(auditor.report().crossings == 0);
+        CHECK(auditor.report().worst_depth < 1e-6);
+    }
+}
+
 TEST_CASE("no ball enters the first table's solids at 1, 10, 100 and 1000 m/s, with the flippers still and beating") {
     const ProgramPtr program = first_table();
     for (const double speed : {1.0, 10.0, 100.0, 1000.0})

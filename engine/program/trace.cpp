@@ -1,0 +1,209 @@
+#include "engine/program/trace.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/program/biarc.h"
+#include "engine/program/evaluate.h"
+#include "engine/program/piece_distance.h"
+#include "engine/program/tree.h"
+#include "engine/program/zero_loops.h"
+
+namespace pinfield {
+namespace {
+
+using sdf::Piece;
+
+constexpr int cells = 128, more_cells = 1024;  // across the solid
+constexpr int most_evaluations = 400000;
+constexpr std::size_t most_pieces = 8000;
+
+/// At a share of the chord, of a piece that turns by less than half a turn.
+Vec2 point_on(const Piece& piece, double share) {
+    const Vec2 on_chord = piece.a + share * (piece.b - piece.a);
+    if (!piece.is_arc()) return on_chord;
+    return piece.centre + (piece.radius / length(on_chord - piece.centre)) * (on_chord - piece.centre);
+}
+
+/// Fits lines and arcs to loops of zero points: a biarc over as many points as it fits, and where it fits over no two neighbours,
+/// at corners, points found between these.
+class Fit {
+public:
+    Fit(const Field& field, int op, double size) : field_(field), op_(op), size_(size) {}
+
+    bool add(const std::vector<ZeroPoint>& loop) {
+        const std::size_t n = loop.size();
+        const auto point = [&](std::size_t i) -> const ZeroPoint& { return loop[i % n]; };
+        std::size_t length = 8;
+        for (std::size_t i = 0; i < n; i += length, length = std::min<std::size_t>(2 * length, 64)) {
+            length = std::min(length, n - i);
+            while (length > 1 && !spans(loop, i, length)) length /= 2;
+            if (length == 1 && !between(point(i), point(i + 1), 0)) return false;
+        }
+        return out_.size() <= most_pieces;
+    }
+
+    std::vector<OwnedPiece> take() { return std::move(out_); }
+
+private:
+    /// A piece that cuts a corner off misses it by more than it misses its sides.
+    static constexpr double at_corners = 0.1;
+    double tolerance() const { return trace_tolerance * size_; }
+    /// An arc that bulges by less is as good as straight.
+    double flat() const { return 1e-3 * tolerance(); }
+
+    /// Does the zero line run along the piece, as far as a share of the tolerance?
+    bool holds(const Piece& piece, double slope, double share) {
+        const double limit = share * tolerance() * slope;
+        for (const double t : {0.25, 0.5, 0.75}) {
+            ++evaluations_;
+            if (!(std::fabs(tree_value(field_, op_, point_on(piece, t))) <= limit)) return false;
+        }
+        return true;
+    }
+
+    void push(const Piece& piece) {
+        if (piece.a == piece.b) return;
+        int leaf = op_;
+        evaluate_tree(field_, op_, point_on(piece, 0.5), &leaf);
+        out_.push_back({piece, leaf});
+    }
+
+    std::optional<std::array<Piece, 2>> fitting_biarc(const ZeroPoint& a, const ZeroPoint& b) {
+        const auto pair = biarc(a.at, a.along, b.at, b.along, flat());
+        const double slope = std::min(a.slope, b.slope);
+        if (!pair || !holds((*pair)[0], slope, at_corners) || !holds((*pair)[1], slope, at_corners)) return std::nullopt;
+        return pair;
+    }
+
+    /// One biarc over several steps of a loop.
+    bool spans(const std::vector<ZeroPoint>& loop, std::size_t first, std::size_t steps) {
+        const std::size_t n = loop.size();
+        const ZeroPoint &a = loop[first], &b = loop[(first + steps) % n];
+        const auto pair = biarc(a.at, a.along, b.at, b.along, flat());
+        if (!pair) return false;
+        const double limit = tolerance() * tolerance();
+        for (std::size_t k = first + 1; k < first + steps; ++k) {
+            const Vec2& p = loop[k % n].at;
+            if (squared_distance_to_piece((*pair)[0], p) > limit && squared_distance_to_piece((*pair)[1], p) > limit) return false;
+        }
+        const double slope = std::min(a.slope, b.slope);
+        if (!holds((*pair)[0], slope, 0.5) || !holds((*pair)[1], slope, 0.5)) return false;
+        push((*pair)[0]);
+        push((*pair)[1]);
+        return true;
+    }
+
+    /// The way from a to b when there is nothing known between: at a corner one end's tangent may belong to the other side of it.
+    bool between(const ZeroPoint& a, const ZeroPoint& b, int depth) {
+        const double slope = std::min(a.slope, b.slope), apart = length(b.at - a.at);
+        if (apart <= 0.01 * tolerance()) {
+            push(Piece::segment(a.at, b.at));
+            return true;
+        }
+        if (const auto pair = fitting_biarc(a, b)) {
+            push((*pair)[0]);
+            push((*pair)[1]);
+            return true;
+        }
+        for (const Piece& piece : {arc_along(a.at, a.along, b.at, flat()), arc_arriving(a.at, b.at, b.along, flat())})
+            if (!piece.reflex && holds(piece, slope, at_corners)) {
+                push(piece);
+                return true;
+            }
+        if (depth > 60 || evaluations_ > most_evaluations) return false;
+        const std::optional<ZeroPoint> middle = point_between(a, b);
+        if (!middle) return false;
+        return between(a, *middle, depth + 1) && between(*middle, b, depth + 1);
+    }
+
+    /// Where the tangents meet, which is where a corner is, or next to it; else halfway.
+    std::optional<ZeroPoint> point_between(const ZeroPoint& a, const ZeroPoint& b) {
+        const Vec2 chord = b.at - a.at;
+        const double apart = length(chord), turn = cross(a.along, b.along);
+        std::array<Vec2, 2> starts{Vec2(0.5 * (a.at + b.at)), Vec2(0.5 * (a.at + b.at))};
+        if (std::fabs(turn) > 0.02) {
+            const double from_a = cross(chord, b.along) / turn;
+            const Vec2 corner = a.at + from_a * a.along;
+            if (length(corner - starts[0]) < 2 * apart) starts[0] = corner;
+        }
+        for (const Vec2& start : starts) {
+            evaluations_ += 4;
+            const std::optional<ZeroPoint> found = zero_point_near(field_, op_, start, size_);
+            if (found && is_between(a.at, found->at, b.at)) return found;
+        }
+        return crossing_beside(a.at, b.at);
+    }
+
+    /// Well away from either end, and not far aside.
+    static bool is_between(const Vec2& a, const Vec2& p, const Vec2& b) {
+        const double apart = length(b - a), to_a = length(p - a), to_b = length(p - b);
+        return std::min(to_a, to_b) > 1e-4 * apart && std::max(to_a, to_b) < 4 * apart;
+    }
+
+    /// On the perpendicular through the middle of the chord: the nearest change of sign.
+    std::optional<ZeroPoint> crossing_beside(const Vec2& a, const Vec2& b) {
+        const Vec2 middle = 0.5 * (a + b), aside = perpendicular(b - a);
+        const bool solid = tree_value(field_, op_, middle) < 0;
+        for (const double reach : {1.0 / 512, 1.0 / 64, 1.0 / 8, 1.0})
+            for (const double side : {reach, -reach}) {
+                Vec2 from = middle, to = middle + side * aside;
+                evaluations_ += 1;
+                if ((tree_value(field_, op_, to) < 0) == solid) continue;
+                for (int i = 0; i < 50; ++i) {
+                    const Vec2 p = 0.5 * (from + to);
+                    ((tree_value(field_, op_, p) < 0) == solid ? from : to) = p;
+                }
+                evaluations_ += 50;
+                return zero_point_at(field_, op_, from);
+            }
+        return std::nullopt;
+    }
+
+    const Field& field_;
+    int op_;
+    double size_;
+    std::vector<OwnedPiece> out_;
+    int evaluations_ = 0;
+};
+
+Box2 around_images(const Field& field, const Op& op, const Box2& child) {
+    Box2 out;
+    for (int i = 0; i < op.image_count; ++i) out = out.merged(field.images[static_cast<std::size_t>(op.first_image + i)] * child);
+    return out;
+}
+
+/// A box around the zero line: the solid's, or, where the solid has no end, that of what is not solid.
+Box2 box_of_zero_line(const Field& field, int index) {
+    const Op& op = field.ops[static_cast<std::size_t>(index)];
+    if (op.bounds.is_finite() || op.bounds.is_empty()) return op.bounds;
+    const double* params = field.params.data() + op.params;
+    const auto child = [&](int i) { return box_of_zero_line(field, field.links[static_cast<std::size_t>(op.first_link + i)]); };
+    if (op.kernels->form == sdf::Form::modify) return child(0).grown(std::fabs(op.kernels->affine(params).offset) * op.scale);
+    if (op.kernels->form == sdf::Form::images) return around_images(field, op, child(0));
+    if (op.kernels->form != sdf::Form::fold || op.kernels->combine_hard != op.kernels->combine) return Box2::everything();
+    Box2 all;
+    for (int i = 0; i < op.child_count; ++i) all = all.merged(child(i));
+    return all;
+}
+
+}  // namespace
+
+std::vector<OwnedPiece> traced_boundary(const Field& field, int op) {
+    const Box2 box = box_of_zero_line(field, op);
+    if (box.is_empty() || !box.is_finite()) return {};
+    const double size = box.size().maxCoeff();
+    if (!(size > 0)) return {};
+    // Off the solid's own axes, where it is likely to have its edges.
+    const Vec2 lo = box.centre() - Vec2(0.5231, 0.5178) * size;
+    const Box2 window{lo, lo + Vec2(1.0437, 1.0437) * size};
+    std::optional<std::vector<std::vector<ZeroPoint>>> loops = zero_loops(field, op, window, cells, false);
+    if (!loops) loops = zero_loops(field, op, window, more_cells, true);
+    if (!loops) return {};
+    Fit fit(field, op, size);
+    for (const std::vector<ZeroPoint>& loop : *loops)
+        if (!fit.add(loop)) return {};
+    return fit.take();
+}
+
+}  // namespace pinfield

@@ -1,0 +1,17 @@
+// The boundary of a solid that is known by its formula alone, as lines and arcs: its zero line, traced and fitted.
+#pragma once
+#include <vector>
+
+#include "engine/program/arrangement.h"
+
+namespace pinfield {
+
+/// How far a traced boundary strays at most from the zero line it was fitted to, in sizes of the solid (the longer side of its box).
+inline constexpr double trace_tolerance = 1e-7;
+
+/// The boundary of the solid below an op, in the field's frame, each piece with the shape whose surface it is. Nothing where there is
+/// none, where it has no end, or where it cannot be fitted. Parts of the solid, and of what is around it, that are thinner than 1/500
+/// of its size may be missed.
+std::vector<OwnedPiece> traced_boundary(const Field& field, int op);
+
+}  // namespace pinfield

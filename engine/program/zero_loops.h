@@ -1,0 +1,28 @@
+// Closed loops of points on the zero line of an op's field: where it crosses a lattice laid over the solid.
+#pragma once
+#include <optional>
+#include <vector>
+
+#include "engine/program/program.h"
+
+namespace pinfield {
+
+/// A place on the zero line.
+struct ZeroPoint {
+    Vec2 at{0, 0};
+    Vec2 along{1, 0};  ///< unit, the solid on the left
+    double slope = 0;  ///< length of the field's gradient
+};
+
+/// What the field says at p, a point of its zero line; nothing where it has no gradient.
+std::optional<ZeroPoint> zero_point_at(const Field& field, int op, const Vec2& p);
+
+/// The field's zero point on the line through p along the gradient, found by Newton's iteration; nothing where that does not settle.
+std::optional<ZeroPoint> zero_point_near(const Field& field, int op, const Vec2& p, double size);
+
+/// All loops in a square lattice of `cells` x `cells` (a power of two) over `window`, neighbouring points at most a cell apart, the solid
+/// on the left. The field's Lipschitz constant tells which parts of the lattice need no look. Nothing when the lattice is too coarse to
+/// tell how the line runs, unless `settle` asks for the likeliest course; and nothing when the line leaves the window.
+std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window, int cells, bool settle);
+
+}  // namespace pinfield
