@@ -24,8 +24,8 @@ Vec2 world_place(const Document& document, std::string_view node) {
 std::vector<std::string> example_tables() {
     std::vector<std::string> paths;
     for (const char* folder : {"/scenes/nodes", "/scenes/tables"})
-        if (std::filesystem::exists(test::source_dir() + folder))
-            for (const auto& entry : std::filesystem::directory_iterator(test::source_dir() + folder))
+        if (std::filesystem::exists(pinfield::test::source_dir() + folder))
+            for (const auto& entry : std::filesystem::directory_iterator(pinfield::test::source_dir() + folder))
                 if (entry.path().extension() == ".yaml") paths.push_back(entry.path().string());
     std::sort(paths.begin(), paths.end());
     return paths;
