@@ -9,7 +9,9 @@
 #include "engine/program/lower.h"
 #include "engine/program/offset.h"
 #include "engine/reflect/erase.h"
-#include "engine/sdf/catalog.h"
+#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/operations/complement.h"
+#include "engine/sdf/operations/union.h"
 #include "engine/sdf/outline_path.h"
 #include "engine/sdf/register.h"
 

@@ -54,11 +54,8 @@ FieldType erase_field(const T& defaults) {
     constexpr auto description = T::describe();
     constexpr auto f = std::get<I>(description.fields);
     using M = std::remove_cvref_t<decltype(defaults.*f.member)>;
-    FieldType out;
-    out.key = f.key;
-    out.kind = kind_of<M>(f.meta.meaning);
-    out.meta = f.meta;
-    out.initial = value_of(defaults.*f.member);
+    // Built in place: assigned later, the inlined temporary looks to GCC 12 like memory freed that was never allocated.
+    FieldType out{f.key, kind_of<M>(f.meta.meaning), f.meta, value_of(defaults.*f.member), {}, false};
     if constexpr (Choice<M>)
         for (const std::string_view word : choice_names(M{})) out.choices.push_back(word);
     return out;

@@ -3,8 +3,9 @@
 #include "engine/reflect/erase.h"
 #include "engine/scene/node_common.h"
 #include "engine/scene/records.h"
-#include "engine/sdf/catalog.h"
-#include "engine/sdf/make_kernels.h"
+#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/nodes/uneven_capsule.h"
 #include "engine/sdf/register.h"
 
 namespace pinfield {
@@ -12,9 +13,9 @@ namespace {
 
 template <template <class> class N>
 CustomaryShape shape_block(const N<double>& node) {
-    const std::vector<Value> values = values_of(node);
-    const sdf::Kernels& kernels = sdf::kernels_of<N>();
-    CustomaryShape out{&kernels, pack(node_type<N<double>>(), values, kernels.derived_count), {}};
+    const NodeType& type = sdf::built_in_type(N<double>::describe().meta.key);
+    const sdf::Kernels& kernels = *type.kernels;
+    CustomaryShape out{&kernels, pack(type, values_of(node), kernels.derived_count), {}};
     kernels.derive(out.params.data());
     return out;
 }

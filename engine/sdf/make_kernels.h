@@ -7,6 +7,7 @@
 #include "engine/reflect/load.h"
 #include "engine/sdf/dual.h"
 #include "engine/sdf/kernels.h"
+#include "engine/sdf/node_list.h"
 #include "engine/sdf/outline_path.h"
 #include "engine/sdf/packet_kernels.h"
 
@@ -131,38 +132,41 @@ void fill_warp(Kernels& k) {
 
 /// The dispatch table of node template N, with the packet kernels of the baseline instruction set.
 template <template <class> class N>
-const Kernels& kernels_of() {
+Kernels make_kernels() {
     using T = N<double>;
-    static const Kernels kernels = [] {
-        Kernels k;
-        k.derived_count = derived_count<T>();
-        k.derive = derive_in_place<T>;
-        if constexpr (IsShape<T>) {
-            detail::fill_shape<N>(k);
+    Kernels k;
+    k.derived_count = derived_count<T>();
+    k.derive = derive_in_place<T>;
+    if constexpr (IsShape<T>) {
+        detail::fill_shape<N>(k);
+    } else {
+        k.exactness = [](const double* params, std::span<const Exactness> children) {
+            return load<T>(params).exactness(children);
+        };
+        if constexpr (IsImages<T>) {
+            k.form = Form::images;
+            k.images = [](const double* params) { return load<T>(params).images(); };
         } else {
-            k.exactness = [](const double* params, std::span<const Exactness> children) {
-                return load<T>(params).exactness(children);
+            k.bounds_over = [](const double* params, std::span<const Box2> children) {
+                return load<T>(params).bounds(children);
             };
-            if constexpr (IsImages<T>) {
-                k.form = Form::images;
-                k.images = [](const double* params) { return load<T>(params).images(); };
-            } else {
-                k.bounds_over = [](const double* params, std::span<const Box2> children) {
-                    return load<T>(params).bounds(children);
-                };
-                if constexpr (requires(const T& node) { { node.reach(1) } -> std::same_as<double>; })
-                    k.reach = [](const double* params, int children) { return load<T>(params).reach(children); };
-                if constexpr (IsFold<T>) detail::fill_fold<N>(k);
-                else if constexpr (IsWarp<T>) detail::fill_warp<N>(k);
-                else {
-                    static_assert(IsModify<T>, "an operation has combine(), modify(), images() or warp()");
-                    detail::fill_modify<N>(k);
-                }
+            if constexpr (requires(const T& node) { { node.reach(1) } -> std::same_as<double>; })
+                k.reach = [](const double* params, int children) { return load<T>(params).reach(children); };
+            if constexpr (IsFold<T>) detail::fill_fold<N>(k);
+            else if constexpr (IsWarp<T>) detail::fill_warp<N>(k);
+            else {
+                static_assert(IsModify<T>, "an operation has combine(), modify(), images() or warp()");
+                detail::fill_modify<N>(k);
             }
         }
-        k.packets[static_cast<std::size_t>(Isa::sse2)] = packet_kernels<N, Packet<xsimd::sse2>>();
-        return k;
-    }();
+    }
+    k.packets[static_cast<std::size_t>(Isa::sse2)] = packet_kernels<N, Packet<xsimd::sse2>>();
+    return k;
+}
+
+template <template <class> class N>
+const Kernels& kernels_of() {
+    static const Kernels kernels = make_kernels<N>();
     return kernels;
 }
 
@@ -172,6 +176,13 @@ NodeType sdf_node_type() {
     NodeType type = node_type<N<double>>();
     type.kernels = &kernels_of<N>();
     return type;
+}
+
+/// What AddFamily of catalog.h asks for.
+template <template <class> class... N>
+void add_nodes(NodeList<N...>, std::vector<NodeType>& types, std::vector<Kernels>& kernels) {
+    (types.push_back(node_type<N<double>>()), ...);
+    (kernels.push_back(make_kernels<N>()), ...);
 }
 
 }  // namespace pinfield::sdf

@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/reflect/load.h"
 #include "engine/sdf/kernels.h"
+#include "engine/sdf/node_list.h"
 #include "engine/sdf/outline_distance.h"
 #include "engine/sdf/packet.h"
 
@@ -81,6 +82,12 @@ PacketKernels packet_kernels() {
         k.combine = packet_combine<T, P>;
     else if constexpr (requires(const T& node, const Point<P>& p) { node.warp(p); }) k.warp = packet_warp<T, P>;
     return k;
+}
+
+/// Those of a whole list, in its order.
+template <class P, template <class> class... N>
+void fill_packets(NodeList<N...>, PacketKernels* out) {
+    ((*out++ = packet_kernels<N, P>()), ...);
 }
 
 }  // namespace pinfield::sdf

@@ -1,44 +1,51 @@
 #include "engine/sdf/register.h"
 
-#include <vector>
+#include <algorithm>
+#include <cassert>
 
 #include "engine/sdf/catalog.h"
-#include "engine/sdf/isa.h"
-#include "engine/sdf/make_kernels.h"
 
 namespace pinfield::sdf {
 namespace {
 
-template <template <class> class... N>
-std::vector<NodeType> all_types(NodeList<N...>) {
+/// Every node of the families, and last the boundary, with its kernels for each instruction set.
+struct BuiltIn {
     std::vector<NodeType> types;
-    (types.push_back(sdf_node_type<N>()), ...);
-    return types;
+    std::vector<Kernels> kernels;
+};
+
+BuiltIn all_families() {
+    BuiltIn out;
+    for (const Family& family : families) {
+        const std::size_t first = out.kernels.size();
+        family.add(out.types, out.kernels);
+        std::vector<PacketKernels> avx2(out.kernels.size() - first);
+        family.fill_avx2(avx2.data());
+        for (std::size_t i = 0; i < avx2.size(); ++i) out.kernels[first + i].packets[static_cast<std::size_t>(Isa::avx2)] = avx2[i];
+    }
+    for (std::size_t i = 0; i < out.types.size(); ++i) out.types[i].kernels = &out.kernels[i];
+    return out;
 }
 
-/// The built-in kernels completed with those of the wider instruction sets.
-template <template <class> class... N>
-const std::array<Kernels, sizeof...(N)>& all_kernels(NodeList<N...>) {
-    static const std::array<Kernels, sizeof...(N)> kernels = [] {
-        std::array<Kernels, sizeof...(N)> out{kernels_of<N>()...};
-        std::array<PacketKernels, sizeof...(N)> avx2{};
-        fill_packets_avx2(avx2.data());
-        for (std::size_t i = 0; i < out.size(); ++i) out[i].packets[static_cast<std::size_t>(Isa::avx2)] = avx2[i];
-        return out;
-    }();
-    return kernels;
+const BuiltIn& built_in() {
+    static const BuiltIn all = all_families();
+    return all;
 }
 
 }  // namespace
 
 void add_built_in(Catalogue& catalogue) {
-    std::vector<NodeType> types = all_types(BuiltIn{});
-    for (std::size_t i = 0; i < types.size(); ++i) {
-        types[i].kernels = &all_kernels(Compiled{})[i];
-        catalogue.add(std::move(types[i]));
-    }
+    const std::vector<NodeType>& types = built_in().types;
+    for (std::size_t i = 0; i + 1 < types.size(); ++i) catalogue.add(types[i]);
 }
 
-const Kernels& boundary_kernels() { return all_kernels(Compiled{}).back(); }
+const NodeType& built_in_type(std::string_view key) {
+    const std::vector<NodeType>& types = built_in().types;
+    const auto found = std::find_if(types.begin(), types.end(), [&](const NodeType& type) { return type.key() == key; });
+    assert(found != types.end() && "a built-in part is made of built-in shapes");
+    return *found;
+}
+
+const Kernels& boundary_kernels() { return built_in().kernels.back(); }
 
 }  // namespace pinfield::sdf

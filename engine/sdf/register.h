@@ -1,5 +1,7 @@
 // Puts the built-in shapes and operations into a Catalogue.
 #pragma once
+#include <string_view>
+
 #include "engine/reflect/catalogue.h"
 #include "engine/sdf/kernels.h"
 
@@ -7,6 +9,9 @@ namespace pinfield::sdf {
 
 /// Adds every node of catalog.h, in its order, with packet kernels for each instruction set that was built.
 void add_built_in(Catalogue& catalogue);
+
+/// The built-in node of this name, which there must be.
+const NodeType& built_in_type(std::string_view key);
 
 /// Of boundary.h, which is no node of any table.
 const Kernels& boundary_kernels();

@@ -1,25 +1,30 @@
-# cmake -DOBJECT=packets_avx2.cpp.o -DNM=nm -P avx2_symbols.cmake
+# cmake "-DOBJECTS=basic_shapes_avx2.cpp.o|operations_avx2.cpp.o" -DNM=nm -P avx2_symbols.cmake
 #
 # The linker keeps one of several equal weak functions. If that one was compiled for AVX2, the whole program dies on a processor without it:
-# so the object may define nothing global but the one fill function and what carries the instruction set in its name.
-execute_process(COMMAND ${NM} --demangle --defined-only --extern-only ${OBJECT}
-    OUTPUT_VARIABLE listing RESULT_VARIABLE failure)
-if(failure)
-    message(FATAL_ERROR "${NM} cannot read ${OBJECT}")
-endif()
-string(REPLACE ";" "," listing "${listing}")
-string(REPLACE "\n" ";" lines "${listing}")
+# so the objects may define nothing global but their fill functions and what carries the instruction set in its name.
+string(REPLACE "|" ";" objects "${OBJECTS}")
 set(count 0)
-foreach(line IN LISTS lines)
-    if(line STREQUAL "" OR line MATCHES "DW\\.ref\\.")
-        continue()
+foreach(object IN LISTS objects)
+    execute_process(COMMAND ${NM} --demangle --defined-only --extern-only ${object}
+        OUTPUT_VARIABLE listing RESULT_VARIABLE failure)
+    if(failure)
+        message(FATAL_ERROR "${NM} cannot read ${object}")
     endif()
-    math(EXPR count "${count} + 1")
-    if(NOT line MATCHES "avx2")
-        message(SEND_ERROR "compiled for AVX2 under a shared name: ${line}")
+    string(REPLACE ";" "," listing "${listing}")
+    string(REPLACE "\n" ";" lines "${listing}")
+    set(before ${count})
+    foreach(line IN LISTS lines)
+        if(line STREQUAL "" OR line MATCHES "DW\\.ref\\.")
+            continue()
+        endif()
+        math(EXPR count "${count} + 1")
+        if(NOT line MATCHES "avx2")
+            message(SEND_ERROR "compiled for AVX2 under a shared name: ${line}")
+        endif()
+    endforeach()
+    math(EXPR found "${count} - ${before}")
+    if(found LESS 10)
+        message(FATAL_ERROR "only ${found} symbols: is ${object} the right file?")
     endif()
 endforeach()
-if(count LESS 10)
-    message(FATAL_ERROR "only ${count} symbols: is ${OBJECT} the right file?")
-endif()
 message(STATUS "${count} symbols, each with its instruction set in its name")

@@ -3,7 +3,21 @@
 #include <array>
 #include <cmath>
 
-#include "engine/sdf/catalog.h"
+#include "engine/sdf/operations/complement.h"
+#include "engine/sdf/operations/difference.h"
+#include "engine/sdf/operations/inset.h"
+#include "engine/sdf/operations/intersection.h"
+#include "engine/sdf/operations/lerp.h"
+#include "engine/sdf/operations/mirror.h"
+#include "engine/sdf/operations/onion.h"
+#include "engine/sdf/operations/repeat.h"
+#include "engine/sdf/operations/repeat_polar.h"
+#include "engine/sdf/operations/round.h"
+#include "engine/sdf/operations/smooth_difference.h"
+#include "engine/sdf/operations/smooth_intersection.h"
+#include "engine/sdf/operations/smooth_union.h"
+#include "engine/sdf/operations/union.h"
+#include "engine/sdf/operations/xor.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {

@@ -2,7 +2,12 @@
 
 #include <cmath>
 
-#include "engine/sdf/catalog.h"
+#include "engine/sdf/nodes/cubic_bezier.h"
+#include "engine/sdf/nodes/path.h"
+#include "engine/sdf/nodes/polygon.h"
+#include "engine/sdf/nodes/quadratic_bezier.h"
+#include "engine/sdf/nodes/quadratic_circle.h"
+#include "engine/sdf/nodes/segment.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {

@@ -2,7 +2,18 @@
 
 #include <cmath>
 
-#include "engine/sdf/catalog.h"
+#include "engine/sdf/nodes/arc.h"
+#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/nodes/capsule.h"
+#include "engine/sdf/nodes/circle.h"
+#include "engine/sdf/nodes/ellipse.h"
+#include "engine/sdf/nodes/half_plane.h"
+#include "engine/sdf/nodes/polygon.h"
+#include "engine/sdf/nodes/regular_polygon.h"
+#include "engine/sdf/nodes/segment.h"
+#include "engine/sdf/nodes/star.h"
+#include "engine/sdf/nodes/triangle.h"
+#include "engine/sdf/nodes/uneven_capsule.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {

@@ -4,7 +4,12 @@
 
 #include <cmath>
 
-#include "engine/sdf/catalog.h"
+#include "engine/sdf/nodes/arc.h"
+#include "engine/sdf/nodes/circle_wave.h"
+#include "engine/sdf/nodes/cubic_bezier.h"
+#include "engine/sdf/nodes/quadratic_bezier.h"
+#include "engine/sdf/nodes/segment.h"
+#include "engine/sdf/nodes/spiral.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {

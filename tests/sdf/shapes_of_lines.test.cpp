@@ -4,7 +4,29 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/sdf/catalog.h"
+#include "engine/sdf/nodes/arrow.h"
+#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/nodes/chamfer_box.h"
+#include "engine/sdf/nodes/cross.h"
+#include "engine/sdf/nodes/equilateral_triangle.h"
+#include "engine/sdf/nodes/hexagon.h"
+#include "engine/sdf/nodes/hexagram.h"
+#include "engine/sdf/nodes/isosceles_triangle.h"
+#include "engine/sdf/nodes/octagon.h"
+#include "engine/sdf/nodes/oriented_box.h"
+#include "engine/sdf/nodes/parallelogram.h"
+#include "engine/sdf/nodes/pentagon.h"
+#include "engine/sdf/nodes/pentagram.h"
+#include "engine/sdf/nodes/pie.h"
+#include "engine/sdf/nodes/polygon.h"
+#include "engine/sdf/nodes/regular_polygon.h"
+#include "engine/sdf/nodes/rhombus.h"
+#include "engine/sdf/nodes/rounded_box.h"
+#include "engine/sdf/nodes/square_stairs.h"
+#include "engine/sdf/nodes/stairs.h"
+#include "engine/sdf/nodes/star.h"
+#include "engine/sdf/nodes/trapezoid.h"
+#include "engine/sdf/nodes/triangle.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {

@@ -3,8 +3,14 @@
 
 #include <cmath>
 
-#include "engine/sdf/catalog.h"
 #include "engine/sdf/make_kernels.h"
+#include "engine/sdf/nodes/blobby_cross.h"
+#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/nodes/hyperbola.h"
+#include "engine/sdf/nodes/parabola.h"
+#include "engine/sdf/nodes/parabola_segment.h"
+#include "engine/sdf/nodes/quadratic_bezier.h"
+#include "engine/sdf/nodes/quadratic_circle.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {

@@ -5,7 +5,13 @@
 #include <cmath>
 
 #include "engine/core/trig.h"
-#include "engine/sdf/catalog.h"
+#include "engine/sdf/nodes/box.h"
+#include "engine/sdf/nodes/capsule.h"
+#include "engine/sdf/operations/bend.h"
+#include "engine/sdf/operations/displace.h"
+#include "engine/sdf/operations/elongate.h"
+#include "engine/sdf/operations/stretch.h"
+#include "engine/sdf/operations/twist.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {
