@@ -11,18 +11,21 @@ namespace {
 struct Row {
     double x, y, distance, grad_x, grad_y;
     std::string node;
+    bool certified;
 };
 
 std::vector<Row> rows_of(const std::string& csv) {
     const std::vector<std::string> lines = lines_of(csv);
     REQUIRE_FALSE(lines.empty());
-    REQUIRE(lines[0] == "x,y,distance,grad_x,grad_y,node");
+    REQUIRE(lines[0] == "x,y,distance,grad_x,grad_y,node,certified");
     std::vector<Row> rows;
     for (std::size_t i = 1; i < lines.size(); ++i) {
         Row row{};
-        char node[256] = "";
-        REQUIRE(std::sscanf(lines[i].c_str(), "%lf,%lf,%lf,%lf,%lf,%255s", &row.x, &row.y, &row.distance, &row.grad_x, &row.grad_y, node) >= 5);
-        row.node = node;
+        REQUIRE(std::sscanf(lines[i].c_str(), "%lf,%lf,%lf,%lf,%lf", &row.x, &row.y, &row.distance, &row.grad_x, &row.grad_y) == 5);
+        const std::size_t last = lines[i].rfind(','), node = lines[i].rfind(',', last - 1) + 1;
+        row.node = lines[i].substr(node, last - node);
+        row.certified = lines[i].substr(last + 1) == "1";
+        REQUIRE((row.certified || lines[i].substr(last + 1) == "0"));
         rows.push_back(row);
     }
     return rows;
@@ -82,6 +85,39 @@ TEST_CASE("flippers and plungers stand at rest, sensors are no obstacle") {
     CHECK(rows[0].node == "bat");
     CHECK(rows[1].distance == Approx(0.03 - 0.007).epsilon(1e-12));
     CHECK(rows[2].distance > 0.3);
+}
+
+TEST_CASE("eval certifies a true distance and nothing else: of solids that overlap, abut or are uncovered, and of movers over them") {
+    // Two boxes side by side, [0.2, 0.4] and [0.4, 0.6], and a bat that hangs over the right one's middle.
+    const std::string boxes =
+        "scene:\n  - box: {id: left, size: [0.2, 0.2], at: [0.3, 0.5]}\n  - box: {id: right, size: [0.2, 0.2], at: [0.5, 0.5]}\n";
+    const std::string bat = "  - flipper: {id: bat, at: [0.52, 0.55], rest: 0, swing: 60, length: 100mm}\n";
+    struct Case {
+        const char* what;
+        std::string scene, point;
+        bool certified;
+    };
+    const std::vector<Case> cases = {
+        {"in the open", boxes, "0.5,0.8", true},
+        {"the shortest way out is up", boxes, "0.3,0.57", true},
+        {"the shortest way out leads into the neighbour", boxes, "0.37,0.5", false},
+        {"on the shared edge", boxes, "0.4,0.5", false},
+        {"on the outline", boxes, "0.3,0.6", true},
+        {"near the outline, with the domain's floor far away", boxes, "0.3,0.6000001", true},
+        {"the way out to the right is free", boxes, "0.57,0.55", true},
+        {"the way out to the right is under the bat", boxes + bat, "0.57,0.55", false},
+        {"within the bat and the box, where the way up is free", boxes + bat, "0.53,0.55", true},
+        {"the bat alone", boxes + bat, "0.618,0.55", true},
+        {"left of both, by the left box", boxes + bat, "0.1,0.5", true},
+        {"where a blend acts", "scene:\n  - smooth_union: {k: 50mm, children: [circle: {radius: 0.1, at: [0.4, 0.5]}, circle: {radius: 0.1, at: [0.6, 0.5]}]}\n",
+         "0.5,0.8", false},
+        {"far from where a blend acts", "scene:\n  - smooth_union: {k: 10mm, children: [circle: {radius: 0.1, at: [0.4, 0.5]}, circle: {radius: 0.1, at: [0.6, 0.5]}]}\n",
+         "0.2,0.5", true},
+    };
+    for (const Case& c : cases) {
+        INFO(c.what);
+        for (const char* flags : {"", "--shapes-only"}) CHECK(eval(c.scene, c.point + "\n", flags)[0].certified == c.certified);
+    }
 }
 
 TEST_CASE("eval prints enough digits that nothing is lost, and writes the same to a file") {
