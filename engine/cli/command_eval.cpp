@@ -1,9 +1,8 @@
-// pinfield eval FILE --points P.csv: the table's signed distance, its gradient, the surface it belongs to, and whether
-// it is certified to be the distance, point by point.
+// pinfield eval FILE --points P.csv: the table's signed distance, its gradient, the surface it belongs to, and whether it is the true
+// distance or a bound of it, point by point.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "engine/cli/command.h"
 #include "engine/cli/csv.h"
@@ -20,70 +19,74 @@ struct Options {
     bool shapes_only = false;
 };
 
-/// The nearest surface so far.
-struct Answer {
-    double distance = infinity;
-    Vec2 gradient{0, 0};
-    NodeId node;
-    bool certified = false;
-    double next = infinity;  ///< least of the others' distances
-
-    void offer(const Nearest& nearest, const Field& field, const Vec2& turned_gradient) {
-        if (nearest.leaf < 0) return;
-        next = std::min(next, std::max(nearest.distance, distance));
-        if (nearest.distance >= distance) return;
-        distance = nearest.distance;
-        gradient = turned_gradient;
-        certified = nearest.certified;
-        node = field.ops[static_cast<std::size_t>(nearest.leaf)].origin;
-    }
-    /// From outside nothing else can be nearer: what is not certified is a bound of its own distance. From inside, the end of the way out
-    /// must lie in nothing else.
-    bool is_certified() const { return certified && (distance >= 0 || next > -distance); }
-};
-
 /// A static solid that bounds the space for balls instead of standing in it: the domain, written or made of the table's size.
 bool is_boundary(const Table& table, const Solid& solid) {
     return solid.part < 0 ? solid.origin == table.scene.table().id
                           : table.program->parts[static_cast<std::size_t>(solid.part)].is<parts::Domain>();
 }
 
-void ask_static(const Table& table, const Vec2& p, bool shapes_only, Answer& answer) {
-    const Field& field = table.program->fixed;
-    if (!shapes_only) {
-        const Nearest found = nearest(field, p);
-        answer.offer(found, field, found.gradient);
-        return;
+/// Something to ask for its distance: a whole field, or one solid of it, and where it stands.
+struct Source {
+    const Field* field = nullptr;
+    int solid = -1;  ///< -1: all
+    Similarity world_from_field;
+
+    /// The gradient in the world.
+    Nearest ask(const Vec2& world) const {
+        const Vec2 p = world_from_field.inverse() * world;
+        Nearest found = solid < 0 ? nearest(*field, p) : nearest_of_solid(*field, solid, p);
+        found.gradient = world_from_field.direction(found.gradient);
+        return found;
     }
-    for (std::size_t i = 0; i < field.solids.size(); ++i) {
-        if (!(field.solids[i].layers & ground_layer) || is_boundary(table, field.solids[i])) continue;
-        const Nearest found = nearest_of_solid(field, static_cast<int>(i), p);
-        answer.offer(found, field, found.gradient);
-    }
+};
+
+std::vector<Source> sources_of(const Table& table, bool shapes_only) {
+    const Program& program = *table.program;
+    std::vector<Source> sources;
+    if (!shapes_only) sources.push_back({&program.fixed, -1, {}});
+    for (std::size_t i = 0; shapes_only && i < program.fixed.solids.size(); ++i)
+        if ((program.fixed.solids[i].layers & ground_layer) && !is_boundary(table, program.fixed.solids[i]))
+            sources.push_back({&program.fixed, static_cast<int>(i), {}});
+    for (std::size_t i = 0; i < program.movers.size(); ++i)
+        sources.push_back({&program.movers[i].field, -1, world_from_resting_mover(program, static_cast<int>(i))});
+    return sources;
 }
 
-void ask_mover(const Program& program, int index, const Vec2& p, Answer& answer) {
-    const Mover& mover = program.movers[static_cast<std::size_t>(index)];
-    const Similarity world_from_mover = world_from_resting_mover(program, index);
-    const Nearest found = nearest(mover.field, world_from_mover.inverse() * p);
-    answer.offer(found, mover.field, world_from_mover.direction(found.gradient));
+struct Answer {
+    Nearest nearest;
+    NodeId node;
+};
+
+/// The least of all sources' answers. It is the true distance if it is its own source's and, for a point within, the way out ends in the
+/// open; outside all of them what the others say is a bound, and none can truly be nearer.
+Answer answer_at(const std::vector<Source>& sources, const Vec2& p) {
+    Answer answer;
+    const Source* winner = nullptr;
+    for (const Source& source : sources) {
+        const Nearest found = source.ask(p);
+        if (found.leaf < 0 || found.distance >= answer.nearest.distance) continue;
+        answer = {found, source.field->ops[static_cast<std::size_t>(found.leaf)].origin};
+        winner = &source;
+    }
+    const WayOut way = way_out(answer.nearest, p);
+    if (answer.nearest.certified && way.is_needed)
+        for (const Source& other : sources)
+            if (&other != winner && other.ask(way.beyond).distance <= way.room) answer.nearest.certified = false;
+    return answer;
 }
 
 void eval(const Options& options) {
     const Table table = open_table(options.file);
-    const Program& program = *table.program;
+    const std::vector<Source> sources = sources_of(table, options.shapes_only);
     const std::vector<CsvRecord> records = value_or_stop(read_csv(options.points, "x,y"));
 
     Output out(options.out);
     out.write("x,y,distance,grad_x,grad_y,node,certified\n");
     for (const CsvRecord& record : records) {
         const Vec2 p(value_or_stop(csv_number(options.points, record, 0)), value_or_stop(csv_number(options.points, record, 1)));
-        Answer answer;
-        ask_static(table, p, options.shapes_only, answer);
-        for (std::size_t i = 0; i < program.movers.size(); ++i) ask_mover(program, static_cast<int>(i), p, answer);
-        const std::string node = answer.distance < infinity ? name_of(table.scene, answer.node) : "";
-        out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), answer.distance, answer.gradient.x(),
-                              answer.gradient.y(), node, answer.is_certified()));
+        const auto& [found, node] = answer_at(sources, p);
+        out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), found.distance, found.gradient.x(),
+                              found.gradient.y(), found.leaf < 0 ? "" : name_of(table.scene, node), found.certified));
     }
     out.finish();
 }
@@ -91,7 +94,7 @@ void eval(const Options& options) {
 }  // namespace
 
 void add_eval(CLI::App& app, Exit& exit) {
-    CLI::App* command = app.add_subcommand("eval", "Evaluate the signed distance of a table's solids at points");
+    CLI::App* command = app.add_subcommand("eval", "Evaluate the signed distance of a table's solids at points, and tell where it is certified to be the true one");
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "Table file")->required();
     command->add_option("--points", options->points, "CSV with the header x,y, metres")->required();

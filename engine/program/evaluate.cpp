@@ -119,11 +119,13 @@ bool contains(const Field& field, const Solid& solid, const Vec2& p) {
     return solid.bounds.contains(p) && tree_value(field, solid.root, p) < 0;
 }
 
-/// Does any solid of these layers, other than `except`, contain p?
-bool is_covered(const Field& field, const Vec2& p, LayerMask layers, int except) {
-    for (std::size_t i = 0; i < field.solids.size(); ++i)
-        if (static_cast<int>(i) != except && (field.solids[i].layers & layers) && contains(field, field.solids[i], p))
-            return true;
+/// Does any solid of these layers, other than `except`, lie over the end of the way out?
+bool is_covered(const Field& field, const WayOut& way, LayerMask layers, int except) {
+    for (std::size_t i = 0; i < field.solids.size(); ++i) {
+        const Solid& solid = field.solids[i];
+        if (static_cast<int>(i) == except || !(solid.layers & layers) || solid.bounds.distance(way.beyond) > way.room) continue;
+        if (tree_value(field, solid.root, way.beyond) <= way.room) return true;
+    }
     return false;
 }
 
@@ -163,21 +165,23 @@ Nearest nearest_of_solid(const Field& field, int index, const Vec2& p) {
 }
 
 Nearest nearest(const Field& field, const Vec2& p, LayerMask layers, double reach) {
-    Nearest deepest;
-    int containing = 0;
+    Nearest out;
     for (std::size_t i = 0; i < field.solids.size(); ++i) {
         const Solid& solid = field.solids[i];
         if (!(solid.layers & layers) || !contains(field, solid, p)) continue;
-        ++containing;
         const Nearest here = nearest_of_solid(field, static_cast<int>(i), p);
-        if (here.distance < deepest.distance) deepest = here;
+        if (here.distance < out.distance) out = here;
     }
-    if (containing == 0) return corrected(field, nearest_outside(field, p, layers, reach), p);
-    // The way out ends in the open only when no other solid lies over the end of it.
-    const Vec2 exit = p - deepest.distance * deepest.gradient;
-    if (containing > 1 || (deepest.certified && is_covered(field, exit, layers, deepest.solid)))
-        deepest.certified = false;
-    return deepest;
+    if (out.solid < 0) out = corrected(field, nearest_outside(field, p, layers, reach), p);
+    if (!out.certified) return out;
+    const WayOut way = way_out(out, p);
+    if (way.is_needed) out.certified = !is_covered(field, way, layers, out.solid);
+    return out;
+}
+
+WayOut way_out(const Nearest& nearest, const Vec2& p) {
+    const double hair = certificate_slack * (1 + std::fabs(nearest.distance) + p.cwiseAbs().maxCoeff());
+    return {p + (hair - nearest.distance) * nearest.gradient, 0.5 * hair, nearest.distance <= hair};
 }
 
 }  // namespace pinfield

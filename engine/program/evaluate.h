@@ -14,15 +14,25 @@ struct Nearest {
 };
 
 /// Signed distance to the union of the solids of these layers: the minimum over solids of each one's distance, which is exact for
-/// solids of lines and arcs and where the formula's side is exact or its foot point certifies it (SDF_CATALOGUE 2.4), and within
-/// 1e-9 of its size for what was traced. Outside every solid the minimum over exact values is exact; inside overlapping solids it
-/// is a bound and not certified.
+/// solids of lines and arcs and where the formula's side is exact or its foot point certifies it (SDF_CATALOGUE 2.4), and within 1e-9
+/// of its size for what was traced. Outside every solid the minimum is certified where the nearest solid's value is: the others' are
+/// bounds, so none of them can truly be nearer. Inside, the greatest depth is certified where that solid's is and the way out ends in
+/// the open.
 /// `reach`: surfaces farther than this may be left out (the result then has solid == -1 and distance == reach).
 Nearest nearest(const Field& field, const Vec2& p, LayerMask layers = ground_layer, double reach = infinity);
 
 /// As nearest(), for a point known to lie outside all solids, and as the ball meets them: skips the inside tests, and takes a traced
 /// boundary for the solid's own, never certified. What the sweep asks.
 Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, double reach);
+
+/// Where the shortest way to the open ends: a hair beyond the surface, so that what abuts there is met. All is open where no other solid
+/// comes nearer than `room`.
+struct WayOut {
+    Vec2 beyond;
+    double room = 0;  ///< metres
+    bool is_needed = false;  ///< false for points so far outside that no solid can lie over them
+};
+WayOut way_out(const Nearest& nearest, const Vec2& p);
 
 /// Signed distance to one solid alone.
 Nearest nearest_of_solid(const Field& field, int solid, const Vec2& p);
