@@ -8,6 +8,7 @@
 #include "engine/core/trig.h"
 #include "engine/program/compile.h"
 #include "engine/program/patch.h"
+#include "engine/program/trust.h"
 
 namespace pinfield::editor {
 namespace {
@@ -59,6 +60,7 @@ Session::Session(const Document& document) {
         stale_ = true;
     }
     start(program ? *program : empty_program(document.scene()));
+    if (program) problems_ = warnings_of(**program, document.scene());
 }
 
 void Session::start(ProgramPtr program) {
@@ -95,16 +97,16 @@ void Session::follow(Document& document) {
         return !change.everything && change.node == first.node && change.field == first.field;
     });
     if (one_field && !stale_) {
-        if (ProgramPtr patched = patch(program(), document.scene(), first.node, first.field)) return adopt(std::move(patched));
+        if (ProgramPtr patched = patch(program(), document.scene(), first.node, first.field)) return adopt(std::move(patched), document.scene());
     }
     auto compiled = compile(document.scene());
     stale_ = !compiled;
-    if (compiled) adopt(*compiled);
+    if (compiled) adopt(*compiled, document.scene());
     else problems_ = compiled.error();
 }
 
-void Session::adopt(ProgramPtr program) {
-    problems_.clear();
+void Session::adopt(ProgramPtr program, const Scene& scene) {
+    problems_ = warnings_of(*program, scene);
     const bool same_inputs = program->inputs == this->program().inputs;
     if (!same_inputs)
         for (std::size_t i = 0; i < this->program().inputs.size(); ++i) world_->set_input(static_cast<int>(i), 0);

@@ -27,7 +27,7 @@ public:
     void set_slow_motion(int divisor);
 
     /// Takes what changed in the document into the running table: a patch where one will do, else a new program; when the scene
-    /// does not compile the last good program keeps running and problem() says why.
+    /// does not compile the last good program keeps running and problems() says why. Else problems() are doubts about what runs.
     void follow(Document& document);
     const Diagnostics& problems() const { return problems_; }
 
@@ -49,7 +49,7 @@ public:
 
 private:
     void start(ProgramPtr program);
-    void adopt(ProgramPtr program);
+    void adopt(ProgramPtr program, const Scene& scene);
     void step();
     void count_events();
     void put_balls_back();

@@ -4,42 +4,57 @@
 #include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
-#include "engine/program/program.h"
+#include "engine/core/numbers.h"
+#include "engine/program/trust.h"
 
 namespace pinfield::editor {
 
 namespace {
 
-/// What a node was compiled to in a field, or nothing. A solid whose boundary is known as pieces is exact whatever its tree is.
-std::optional<Exactness> exactness_in(const Field& field, NodeId node) {
-    for (const Solid& solid : field.solids)
-        if (solid.lowered && field.ops[static_cast<std::size_t>(solid.root)].origin == node) return Exactness{};
-    for (auto op = field.ops.rbegin(); op != field.ops.rend(); ++op)
-        if (op->origin == node) return op->exactness;
-    return std::nullopt;
+/// What the node was compiled to, which knows its children and values; else, while it does not compile, what its type promises.
+std::optional<Trust> trust_shown(const AppState& state, const Node& node) {
+    if (const auto found = trust_of(state.session.program(), node.id)) return found;
+    if (!node.type->kernels) return std::nullopt;
+    return Trust{node.type->meta.exactness, false};
 }
 
-/// Exactness of a node: of what it was compiled to, which knows its children and values, else of its type.
-Exactness exactness_of(const AppState& state, const Node& node) {
-    const Program& program = state.session.program();
-    if (const auto found = exactness_in(program.fixed, node.id)) return *found;
-    for (const Mover& mover : program.movers)
-        if (const auto found = exactness_in(mover.field, node.id)) return *found;
-    return node.type->meta.exactness;
+/// Puts the next badge beside the last one, or below it where the panel is too narrow.
+void next_badge(const Theme& theme, std::string_view text) {
+    const float gap = theme.px(5), right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + gap + pill_width(theme, text) <= right) ImGui::SameLine(0, gap);
 }
 
-void exactness_badge(const AppState& state, const Theme& theme, const Node& node) {
-    if (node.type->meta.kind != NodeKind::shape && node.type->meta.kind != NodeKind::operation) return;
-    const Exactness e = exactness_of(state, node);
-    const bool outside = e.outside == Side::exact, inside = e.inside == Side::exact;
-    const char* word = outside && inside ? "exact" : outside ? "exact outside" : inside ? "exact inside" : "bound";
+/// Words and filled or bare pills tell the sides apart, not colour alone.
+void side_badge(const Theme& theme, const std::string& where, Side side) {
+    const bool exact = side == Side::exact;
+    pill(theme, (exact ? "exact " : "bound ") + where, exact ? palette::accent : palette::amber, exact ? PillStyle::filled : PillStyle::bare);
+    tooltip(theme, exact ? "The distance shown and used " + where + " is the true one."
+                         : "The distance shown and used " + where + " may fall short of the true one but never exceeds it: safe for balls, "
+                           "while an offset of it would be misplaced.");
+}
+
+void exactness_badges(const AppState& state, const Theme& theme, const Node& node) {
+    const std::optional<Trust> trust = trust_shown(state, node);
+    if (!trust) return;
+    const Exactness e = trust->exactness();
     ImGui::Dummy({0, theme.px(1)});
-    pill(theme, word, outside && inside ? palette::accent : palette::amber);
-    std::string text = "What this node's distance may be trusted for.\nOutside: ";
-    text += outside ? "the true distance." : "never more than the true distance.";
-    text += "\nInside: ";
-    text += inside ? "the true depth." : "never more than the true depth.";
-    tooltip(theme, text);
+    if (e.outside == e.inside) {
+        side_badge(theme, "on both sides", e.outside);
+    } else {
+        side_badge(theme, "outside", e.outside);
+        next_badge(theme, "bound inside");
+        side_badge(theme, "inside", e.inside);
+    }
+    if (trust->boundary_known) {
+        next_badge(theme, "boundary known");
+        pill(theme, "boundary known", palette::quiet, PillStyle::filled);
+        tooltip(theme, trust->fitted ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its distance is right on both sides, within 1e-7 of its size."
+                                     : "The boundary of this node was found when the table was compiled and is what the ball meets, so that its distance is exact on both sides.");
+    }
+    const std::string slope = "L = " + to_text(e.lipschitz, e.lipschitz == 1 ? 0 : 2);
+    next_badge(theme, slope);
+    pill(theme, slope, palette::quiet, PillStyle::bare);
+    tooltip(theme, "The Lipschitz constant: a millimetre of way changes the distance by at most this many millimetres.");
 }
 
 void header(const AppState& state, const Theme& theme, const Node& node) {
@@ -65,7 +80,7 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
     ImGui::PushTextWrapPos(0);
     text_in(theme.body, palette::quiet, node.type->meta.doc);
     ImGui::PopTextWrapPos();
-    exactness_badge(state, theme, node);
+    exactness_badges(state, theme, node);
 }
 
 void field_rows(AppState& state, Ui& ui, const Node& node, bool common) {

@@ -42,13 +42,14 @@ void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const float y = position.y + 0.5f * (size.y - ImGui::GetFontSize());
     const float limit = probe(state, ui, list, position.x + size.x - theme.px(14), y);
 
-    const std::size_t problems = problems_of(state).count();
+    const Problems found = problems_of(state);
+    const std::size_t problems = found.count();
     const std::string count = problems == 0 ? "No problems" : problems == 1 ? "1 problem" : std::to_string(problems) + " problems";
     ImGui::SetCursorScreenPos({position.x + theme.px(10), position.y});
     const float width = ImGui::CalcTextSize(count.c_str()).x + theme.px(30);
     if (ImGui::InvisibleButton("problems", {width, size.y})) ui.problems_open = !ui.problems_open;
-    const Tint color = problems == 0 ? palette::quiet : palette::coral;
-    draw_icon(list, problems == 0 ? Icon::fine : Icon::error, {position.x + theme.px(20), position.y + 0.5f * size.y}, theme.px(14), ink(color));
+    const Tint color = problems == 0 ? palette::quiet : found.any_error() ? palette::coral : palette::amber;
+    draw_icon(list, problems == 0 ? Icon::fine : found.any_error() ? Icon::error : Icon::warning, {position.x + theme.px(20), position.y + 0.5f * size.y}, theme.px(14), ink(color));
     list.AddText({position.x + theme.px(32), y}, ink(ImGui::IsItemHovered() ? palette::text : color), count.c_str());
 
     float x = position.x + width + theme.px(22);

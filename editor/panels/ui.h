@@ -69,6 +69,7 @@ std::string title_of(const Node& node);
 struct Problems {
     Diagnostics in_file, in_program;
     std::size_t count() const { return in_file.size() + in_program.size(); }
+    bool any_error() const { return has_errors(in_file) || has_errors(in_program); }
 };
 Problems problems_of(const AppState& state);
 

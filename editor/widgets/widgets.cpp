@@ -73,17 +73,31 @@ void tooltip(const Theme& theme, std::string_view text) {
     ImGui::PopStyleVar();
 }
 
-bool pill(const Theme& theme, std::string_view text, const Tint& color) {
+namespace {
+
+constexpr float pill_pad = 7;
+
+}  // namespace
+
+void pill(const Theme& theme, std::string_view text, const Tint& color, PillStyle style) {
     ImGui::PushFont(theme.small);
     const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
-    const ImVec2 place = ImGui::GetCursorScreenPos(), pad{theme.px(7), theme.px(2)};
+    const ImVec2 place = ImGui::GetCursorScreenPos(), pad{theme.px(pill_pad), theme.px(2)};
     const ImVec2 end{place.x + size.x + 2 * pad.x, place.y + size.y + 2 * pad.y};
+    const float round = 0.5f * (end.y - place.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(place, end, ink(color.faded(0.16f)), 0.5f * (end.y - place.y));
+    if (style == PillStyle::filled) list.AddRectFilled(place, end, ink(color.faded(0.16f)), round);
+    else list.AddRect(place, end, ink(color.faded(0.5f)), round);
     list.AddText({place.x + pad.x, place.y + pad.y}, ink(color), text.data(), text.data() + text.size());
     ImGui::Dummy({end.x - place.x, end.y - place.y});
     ImGui::PopFont();
-    return ImGui::IsItemHovered();
+}
+
+float pill_width(const Theme& theme, std::string_view text) {
+    ImGui::PushFont(theme.small);
+    const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    ImGui::PopFont();
+    return width + 2 * theme.px(pill_pad);
 }
 
 std::string fitted(std::string_view text, float width) {

@@ -32,8 +32,10 @@ void section(const Theme& theme, const char* title);
 /// A tooltip of at most a comfortable width, for the item before.
 void tooltip(const Theme& theme, std::string_view text);
 
-/// A small rounded label. Returns whether it is hovered.
-bool pill(const Theme& theme, std::string_view text, const Tint& color);
+/// A small rounded label on a tint of its colour, or within a line of it.
+enum class PillStyle : unsigned char { filled, bare };
+void pill(const Theme& theme, std::string_view text, const Tint& color, PillStyle style);
+float pill_width(const Theme& theme, std::string_view text);
 
 /// Text shortened with an ellipsis to a width.
 std::string fitted(std::string_view text, float width);

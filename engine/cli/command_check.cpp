@@ -1,4 +1,4 @@
-// pinfield check FILE...: what is wrong with tables, and where.
+// pinfield check FILE...: what is wrong with tables, and where; with --verbose also what the distance of each node may be trusted for.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +8,7 @@
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
 #include "engine/program/compile.h"
+#include "engine/program/trust.h"
 #include "engine/scene/catalog.h"
 
 namespace pinfield::cli {
@@ -15,27 +16,88 @@ namespace {
 
 struct Options {
     std::vector<std::string> files;
-    bool json = false;
+    bool json = false, verbose = false;
 };
 
-JsonObject json_of(const Diagnostic& diagnostic, const SourceText& source) {
+JsonObject json_of(const Diagnostic& diagnostic, const char* severity, const SourceText& source) {
     const LineColumn place = source.place(diagnostic.where.begin);
     return JsonObject()
         .add("file", source.name())
         .add("line", place.line)
         .add("column", place.column)
-        .add("severity", diagnostic.severity == Severity::error ? "error" : "warning")
+        .add("severity", severity)
         .add("code", diagnostic.code)
         .add("message", diagnostic.message)
         .add("hint", diagnostic.hint);
 }
 
-/// Findings of the reader and, when it is content, of the compiler.
-Diagnostics findings(const LoadedTable& loaded) {
-    Diagnostics all = loaded.diagnostics;
-    if (!loaded.ok()) return all;
-    if (const auto program = compile(loaded.scene); !program) all.insert(all.end(), program.error().begin(), program.error().end());
-    return all;
+/// What is known of a node's distance.
+struct Note {
+    Span where;
+    std::string node;
+    int depth = 0;  ///< 0: stands in the scene; else how deep in its tree
+    Trust trust;
+};
+
+std::vector<Note> notes_of(const Program& program, const Scene& scene) {
+    const std::map<NodeId, Trust> trusts = trusts_of(program);
+    std::vector<Note> notes;
+    for (const NodeId id : scene.all()) {
+        const auto trust = trusts.find(id);
+        if (trust == trusts.end() || id == scene.table().id) continue;
+        const Node& node = *scene.find(id);
+        int depth = 0;
+        for (NodeId above = node.parent; above && trusts.count(above) > 0; above = scene.find(above)->parent) ++depth;
+        notes.push_back({node.key, scene.path(id), depth, trust->second});
+    }
+    return notes;
+}
+
+const char* word(Side side) { return side == Side::exact ? "exact" : "bound"; }
+
+std::string message_of(const Note& note) {
+    const Exactness& formula = note.trust.formula;
+    return fmt::format("{} is {} outside, {} inside, L = {:.4g}{}", note.node, word(formula.outside), word(formula.inside), formula.lipschitz,
+                       !note.trust.boundary_known ? ""
+                       : note.trust.fitted        ? ", its boundary is fitted: right on both sides within 1e-7 of its size"
+                                                  : ", its boundary is known: exact on both sides");
+}
+
+std::string lines_of(const std::vector<Note>& notes, const SourceText& source) {
+    std::string text;
+    for (const Note& note : notes) {
+        const LineColumn at = source.place(note.where.begin);
+        text += fmt::format("{}:{}:{}: note: {:{}}{}\n", source.name(), at.line, at.column, "", 2 * note.depth, message_of(note));
+    }
+    return text;
+}
+
+/// A finding with more to read: what a program would ask for.
+JsonObject json_of(const Note& note, const SourceText& source) {
+    const Exactness& formula = note.trust.formula;
+    return json_of(Diagnostic{"", Severity::warning, message_of(note), note.where, ""}, "note", source)
+        .add("node", note.node)
+        .add("outside", word(formula.outside))
+        .add("inside", word(formula.inside))
+        .add("lipschitz", formula.lipschitz)
+        .add("boundary_known", note.trust.boundary_known)
+        .add("boundary_fitted", note.trust.fitted);
+}
+
+/// Findings of the reader and, when it is content, of the compiler; notes on what it made.
+struct Findings {
+    Diagnostics diagnostics;
+    std::vector<Note> notes;
+};
+
+Findings findings_of(const LoadedTable& loaded) {
+    Findings out{loaded.diagnostics, {}};
+    if (!loaded.ok()) return out;
+    const auto program = compile(loaded.scene);
+    const Diagnostics more = program ? warnings_of(**program, loaded.scene) : program.error();
+    out.diagnostics.insert(out.diagnostics.end(), more.begin(), more.end());
+    if (program) out.notes = notes_of(**program, loaded.scene);
+    return out;
 }
 
 Exit check(const Options& options) {
@@ -49,10 +111,15 @@ Exit check(const Options& options) {
             exit = Exit::failed;
             continue;
         }
-        const Diagnostics all = findings(*loaded);
-        if (has_errors(all) && exit == Exit::fine) exit = Exit::wrong;
-        if (!options.json) print(text_of(all, *loaded->source));
-        for (const Diagnostic& diagnostic : all) objects.push_back(json_of(diagnostic, *loaded->source).text());
+        Findings found = findings_of(*loaded);
+        if (!options.verbose) found.notes.clear();
+        if (has_errors(found.diagnostics) && exit == Exit::fine) exit = Exit::wrong;
+        if (!options.json) print(text_of(found.diagnostics, *loaded->source) + lines_of(found.notes, *loaded->source));
+        for (const Diagnostic& diagnostic : found.diagnostics) {
+            const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
+            objects.push_back(json_of(diagnostic, severity, *loaded->source).text());
+        }
+        for (const Note& note : found.notes) objects.push_back(json_of(note, *loaded->source).text());
     }
     if (options.json) print(json_array(objects) + "\n");
     return exit;
@@ -65,6 +132,7 @@ void add_check(CLI::App& app, Exit& exit) {
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->files, "Table files")->required();
     command->add_flag("--json", options->json, "Print an array of findings");
+    command->add_flag("--verbose", options->verbose, "Tell of every node with a distance how far that may be trusted");
     command->callback([options, &exit] { exit = check(*options); });
 }
 

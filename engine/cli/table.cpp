@@ -4,6 +4,7 @@
 
 #include "engine/cli/command.h"
 #include "engine/program/compile.h"
+#include "engine/program/trust.h"
 #include "engine/scene/catalog.h"
 
 namespace pinfield::cli {
@@ -23,7 +24,7 @@ Table open_table(const std::string& path) {
     if (!loaded.ok()) throw Stop{Exit::wrong, found};
     const auto program = compile(loaded.scene);
     if (!program) throw Stop{Exit::wrong, found + text_of(program.error(), *loaded.source)};
-    fmt::print(stderr, "{}", found);
+    fmt::print(stderr, "{}{}", found, text_of(warnings_of(**program, loaded.scene), *loaded.source));
     return {loaded.source, std::move(loaded.scene), *program};
 }
 

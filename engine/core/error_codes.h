@@ -77,6 +77,7 @@ enum class Code : unsigned char {
 
     empty_scene,
     unknown_keyboard_key,
+    offset_of_bound,
 
     unknown_step,
 };

@@ -55,6 +55,51 @@ TEST_CASE("check says of every wrong table what and where, on stdout, with the s
     }
 }
 
+TEST_CASE("check warns with its place of a rounding of what is only a bound, and exits 0") {
+    const Scratch scratch;
+    const std::string wedge =
+        scratch.write("wedge.yaml", "pinfield: 1\nscene:\n  - round: {radius: 5mm, children: [intersection: {id: wedge, children: [half_plane: {}, half_plane: {turn: 90}]}]}\n");
+    const Outcome outcome = run_pinfield("check " + wedge);
+    CHECK(outcome.exit == 0);
+    CHECK_THAT(outcome.out, Catch::Contains("wedge.yaml:3:5: warning: round ") && Catch::Contains("wedge is not the true one") &&
+                                Catch::Contains("[W0503]") && Catch::Contains("hint: "));
+    CHECK_THAT(run_pinfield("eval " + wedge + " --points " + scratch.write("p.csv", "x,y\n0.1,0.1\n")).err, Catch::Contains("[W0503]"));
+}
+
+TEST_CASE("check --verbose tells of each node how far its distance may be trusted, as text and as JSON") {
+    const Scratch scratch;
+    const std::string table = scratch.write("t.yaml",
+                                            "pinfield: 1\nscene:\n"
+                                            "  - union:\n      id: both\n      children:\n"
+                                            "        - circle: {id: disc, radius: 20mm, at: [0.1, 0.1]}\n"
+                                            "        - smooth_union: {id: goo, children: [half_plane: {id: floor}, ellipse: {id: egg}]}\n"
+                                            "  - box: {id: crate, at: [0.3, 0.5]}\n");
+    CHECK(run_pinfield("check " + table).out.empty());
+    CHECK(json::parse(run_pinfield("check --json " + table).out).empty());
+
+    const Outcome outcome = run_pinfield("check --verbose " + table);
+    CHECK(outcome.exit == 0);
+    const std::string at = table + ":";
+    CHECK(lines_of(outcome.out) == std::vector<std::string>{
+        at + "3:5: note: both is bound outside, bound inside, L = 1",
+        at + "6:11: note:   disc is exact outside, exact inside, L = 1",
+        at + "7:11: note:   goo is bound outside, bound inside, L = 1",
+        at + "7:46: note:     floor is exact outside, exact inside, L = 1",
+        at + "7:71: note:     egg is exact outside, exact inside, L = 1",
+        at + "8:5: note: crate is exact outside, exact inside, L = 1, its boundary is known: exact on both sides"});
+
+    const json notes = json::parse(run_pinfield("check --verbose --json " + table).out);
+    REQUIRE(notes.size() == 6);
+    CHECK(notes[0]["severity"] == "note");
+    CHECK(notes[0]["line"] == 3);
+    CHECK(notes[0]["node"] == "both");
+    CHECK(notes[0]["outside"] == "bound");
+    CHECK(notes[0]["boundary_known"] == false);
+    CHECK(notes[5]["inside"] == "exact");
+    CHECK(notes[5]["lipschitz"] == 1);
+    CHECK(notes[5]["boundary_known"] == true);
+}
+
 TEST_CASE("check takes several files, tells all diagnostics of all of them, and an unreadable one is exit 3") {
     const Scratch scratch;
     const std::string wrong = scratch.write("two.yaml", "pinfield: 1\nscene:\n  - circle: {radius: -1}\n  - bxo: {size: [1, 1]}\n");

@@ -97,6 +97,43 @@ TEST_CASE("a shape that a program adds of its own has its fields in the inspecto
     CHECK(text.ends_with("}  # kept\n"));
 }
 
+TEST_CASE("badges tell per side whether a node's distance is exact or a bound, how fast it changes, and whether its boundary is known") {
+    Inspector inspector(catalogue(), R"(pinfield: 1
+scene:
+  - union: {id: both, children: [circle: {id: disc, radius: 20mm}, box: {at: [0.02, 0]}]}
+  - intersection: {id: wedge, children: [half_plane: {}, half_plane: {turn: 90}]}
+  - smooth_union: {id: goo, children: [half_plane: {}, ellipse: {}]}
+  - spawn: {id: start}
+)");
+    struct Case {
+        const char* node;
+        std::vector<const char*> shown, absent;
+    };
+    const std::vector<Case> cases = {
+        {"both", {"exact on both sides", "boundary known", "L = 1"}, {"bound inside"}},
+        {"disc", {"exact on both sides", "L = 1"}, {"boundary known", "bound on both sides"}},
+        {"wedge", {"bound outside", "exact inside", "L = 1"}, {"boundary known", "exact outside"}},
+        {"goo", {"bound on both sides", "L = 1"}, {"boundary known", "exact outside"}},
+        {"start", {"start"}, {"exact on both sides", "bound on both sides", "L = 1"}},
+    };
+    for (const Case& c : cases) {
+        inspector.select(c.node);
+        inspector.frame();
+        INFO(c.node << ": " << inspector.all());
+        for (const char* text : c.shown) CHECK(inspector.find(text));
+        for (const char* text : c.absent) CHECK_FALSE(inspector.find(text));
+    }
+
+    inspector.select("wedge");
+    inspector.frame();
+    const ScreenText* badge = inspector.find("bound outside");
+    REQUIRE(badge);
+    ImGui::GetIO().MousePos = {badge->at.x + 4, badge->at.y + 6};
+    for (int i = 0; i < 3; ++i) inspector.frame();
+    INFO(inspector.all());
+    CHECK_THAT(inspector.all(), Catch::Contains("may fall short of the true one"));
+}
+
 TEST_CASE("the inspector has a row for every field of every kind of node") {
     std::string table = "pinfield: 1\nscene:\n";
     for (const NodeType& type : catalogue()->types())

@@ -1,0 +1,85 @@
+#include "engine/program/trust.h"
+
+#include <fmt/format.h>
+
+#include "engine/core/error_codes.h"
+#include "engine/program/field.h"
+#include "engine/program/offset.h"
+
+namespace pinfield {
+namespace {
+
+const Op& op_at(const Field& field, int op) { return field.ops[static_cast<std::size_t>(op)]; }
+
+template <class F>
+void for_each_field(const Program& program, F&& tell) {
+    tell(program.fixed);
+    for (const Mover& mover : program.movers) tell(mover.field);
+    for (const Sensor& sensor : program.sensors) tell(sensor.field);
+}
+
+/// Tells node and trust of every op. A node may have several: what it implies (a part's union, a domain's complement) comes after what
+/// it was made of, and what is known of its boundary last, so that the last telling counts.
+template <class F>
+void for_each_trust(const Field& field, F&& tell) {
+    for (const Op& op : field.ops) {
+        if (is_boundary(op)) tell(op.origin, Trust{op_at(field, field.links[static_cast<std::size_t>(op.first_link)]).exactness, true});
+        else tell(op.origin, Trust{op.exactness, false});
+    }
+    for (const Solid& solid : field.solids) {
+        const Op& root = op_at(field, solid.root);
+        if (solid.lowered) tell(root.origin, Trust{root.exactness, true, solid.traced});
+    }
+}
+
+/// The sides of its child that an offset looks at and finds to be bounds; empty where it finds none.
+std::string_view doubtful_sides(const Exactness& child, const sdf::Affine& affine) {
+    if (offset_is_exact(child, affine)) return {};
+    if (!affine.absolute) return affine.sign * affine.offset < 0 ? "outside" : "inside";
+    if (child.outside == child.inside) return "on both sides";
+    return child.outside == Side::bound ? "outside" : "inside";
+}
+
+void add_warnings(const Field& field, const Scene& scene, Diagnostics& out) {
+    for (const Op& op : field.ops) {
+        if (op.kernels->form != sdf::Form::modify) continue;
+        const Op& child = op_at(field, field.links[static_cast<std::size_t>(op.first_link)]);
+        const std::string_view sides = doubtful_sides(child.exactness, op.kernels->affine(field.params.data() + op.params));
+        const Node* node = scene.find(op.origin);
+        const Node* below = scene.find(child.origin);
+        if (sides.empty() || !node || !below) continue;
+        out.push_back(diagnose(Code::offset_of_bound, node->key,
+                               fmt::format("{} moves an isoline of a bound: {}, the distance to {} is not the true one, and its boundary "
+                                           "could not be found",
+                                           node->type->key(), sides, scene.path(below->id)),
+                               fmt::format("offset what {} is made of instead, or cut it to a finite size", below->type->key())));
+    }
+}
+
+}  // namespace
+
+std::map<NodeId, Trust> trusts_of(const Program& program) {
+    std::map<NodeId, Trust> out;
+    for_each_field(program, [&](const Field& field) {
+        for_each_trust(field, [&](NodeId node, const Trust& trust) { out[node] = trust; });
+    });
+    return out;
+}
+
+std::optional<Trust> trust_of(const Program& program, NodeId wanted) {
+    std::optional<Trust> out;
+    for_each_field(program, [&](const Field& field) {
+        for_each_trust(field, [&](NodeId node, const Trust& trust) {
+            if (node == wanted) out = trust;
+        });
+    });
+    return out;
+}
+
+Diagnostics warnings_of(const Program& program, const Scene& scene) {
+    Diagnostics out;
+    for_each_field(program, [&](const Field& field) { add_warnings(field, scene, out); });
+    return out;
+}
+
+}  // namespace pinfield
