@@ -111,7 +111,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     const Vec2 n = c.normal, t = perpendicular(n), point = ball.position - r * n;
     Motive surface = motive_of(w, c, point, t);
     const Vec2 relative = ball.velocity - surface.velocity;
-    const double normal = dot(relative, n), slip = dot(relative, t) - r * ball.spin;
+    const double normal = dot(relative, n), slip_before = dot(relative, t) - r * ball.spin;
     if (normal >= 0 && !forced) return false;
     if (!forced && -normal <= 1e-13 * (length(ball.velocity) + length(surface.velocity))) return false;
     const Surface of = surface_of(w, c);
@@ -137,6 +137,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     }
     const double speed_before = length(ball.velocity);
     ball.velocity += gained * n;
+    const Vec2 bounced = ball.velocity;
 
     // Following a hollow in contact is a polygon of short hops; its corners turn the velocity without slowing it.
     const bool follows = impact.collapsed && c.hollow > 0 && c.mover < 0 && work.slide_tick >= w.tick - 1 && c.same_surface(work.slide);
@@ -149,6 +150,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     if (c.mover < 0 && impact.hop > 0 && speed > speed_before) ball.velocity *= speed_before / speed;
 
     // Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre.
+    const double slip = slip_before + dot(ball.velocity - bounced, t);
     const bool frictionless = w.options.restitution.has_value();
     const double tangential = frictionless ? 1.0 : impact.collapsed && material.tangential < 1 ? 0.0 : material.tangential;
     if (tangential != 1 && slip != 0) {

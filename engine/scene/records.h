@@ -59,7 +59,7 @@ struct PhysicsSettings {
 struct Material {
     double restitution = 0.3;
     double falloff = 0;
-    double tangential = 0;
+    double tangential = 1;
     double friction = 0.3;
     double scatter = 0;
     std::string color;
@@ -70,7 +70,7 @@ struct Material {
             {.key = "material", .doc = "How a surface answers a ball."},
             fields(field("restitution", &M::restitution, {.min = from(0), .max = to(1), .step = 0.01, .doc = "Coefficient of restitution e0 of a slow impact."}),
                    field("falloff", &M::falloff, {.unit = Unit::seconds_per_metre, .min = from(0), .step = 0.01, .doc = "e(v) = e0 / (1 + falloff v)."}),
-                   field("tangential", &M::tangential, {.min = from(-1), .max = to(1), .step = 0.01, .doc = "Tangential coefficient of restitution: 0 stops the slip as far as friction can, -1 reverses it, 1 leaves it."}),
+                   field("tangential", &M::tangential, {.min = from(-1), .max = to(1), .step = 0.01, .doc = "Tangential coefficient of restitution: 1 frictionless, 0 stops the slip, -1 reverses it."}),
                    field("friction", &M::friction, {.min = from(0), .step = 0.01, .doc = "Coulomb coefficient that caps the tangential impulse."}),
                    field("scatter", &M::scatter, {.unit = Unit::degree, .min = from(0), .max = to(45), .step = 0.5, .doc = "Largest random turn of the outgoing direction."}),
                    field("color", &M::color, {.meaning = Meaning::color, .doc = "How it is drawn: a CSS name or a quoted #rgb or #rrggbb."})));

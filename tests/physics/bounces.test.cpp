@@ -80,18 +80,6 @@ TEST_CASE("an oblique impact turns the contact point's velocity as restitution a
 }
 
 // Coulomb: |dv_t| <= mu (1 + e) |v_n|.
-TEST_CASE("a material with friction alone slows what slips on it and sets it spinning") {
-    for (const double friction : {0.0, 0.2}) {
-        World world(hall("restitution: 0.5, friction: " + std::to_string(friction), "", 10, 10, "0"));
-        world.add_ball({5, 0.5}, {1, -1});
-        for (int i = 0; i < 1000; ++i) world.step();
-        const Ball& ball = world.balls()[0];
-        // One impact: dv_n = 1.5, of which friction may turn a share into spin.
-        CHECK(ball.velocity.x() == Approx(1 - 1.5 * friction));
-        CHECK((ball.spin != 0) == (friction > 0));
-    }
-}
-
 TEST_CASE("friction never takes more than the Coulomb cone allows") {
     World world(hall("restitution: 0.5, friction: 0.1, tangential: 0", "", 10, 10, "0"));
     world.add_ball({5, 0.5}, {4, -2});
