@@ -46,10 +46,13 @@ void exactness_badges(const AppState& state, const Theme& theme, const Node& nod
         side_badge(theme, "inside", e.inside);
     }
     if (trust->boundary_known) {
-        next_badge(theme, "boundary known");
-        pill(theme, "boundary known", palette::quiet, PillStyle::filled);
-        tooltip(theme, trust->fitted ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its distance is right on both sides, within 1e-7 of its size."
-                                     : "The boundary of this node was found when the table was compiled and is what the ball meets, so that its distance is exact on both sides.");
+        const char* word = trust->fitted ? "boundary fitted" : "boundary known";
+        next_badge(theme, word);
+        pill(theme, word, palette::quiet, PillStyle::filled);
+        tooltip(theme, trust->fitted ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its "
+                                       "distance is right on both sides, within 1e-7 of its size."
+                                     : "The boundary of this node was found when the table was compiled and is what the ball meets, so that its "
+                                       "distance is exact on both sides.");
     }
     const std::string slope = "L = " + to_text(e.lipschitz, e.lipschitz == 1 ? 0 : 2);
     next_badge(theme, slope);

@@ -47,6 +47,7 @@ double images_value(const Field& field, const Op& op, const Vec2& p) {
 struct Traced {
     Sample sample;
     int leaf = 0;
+    double share = 1;  ///< the leaf's blend weight
 };
 
 Traced trace(const Field& field, int index, const Vec2& p);
@@ -58,10 +59,12 @@ Traced trace_shape(const Field& field, int index, const Vec2& p) {
     const Sample found{s.value * op.scale, direction_before(op.local_from_field, s.gradient)};
     if (!is_boundary(op)) return {found, index};
     // The surface at the foot is a leaf's of the tree that the boundary stands for.
-    return {found, trace(field, child_of(field, op, 0), p - found.value * found.gradient).leaf};
+    Traced at_foot = trace(field, child_of(field, op, 0), p - found.value * found.gradient);
+    at_foot.sample = found;
+    return at_foot;
 }
 
-/// The leaf of a fold is that of the operand that moves the result more; the first of equals.
+/// The leaf of a fold is the one that moves the result most; the first of equals.
 Traced trace_fold(const Field& field, const Op& op, const Vec2& p) {
     Traced out = trace(field, child_of(field, op, 0), p);
     for (int i = 1; i < op.child_count; ++i) {
@@ -69,7 +72,9 @@ Traced trace_fold(const Field& field, const Op& op, const Vec2& p) {
         const sdf::Partials f = op.kernels->combine_partials(params_of(field, op), out.sample.value / op.scale,
                                                              next.sample.value / op.scale);
         out.sample = {f.value * op.scale, f.by_a * out.sample.gradient + f.by_b * next.sample.gradient};
-        if (std::fabs(f.by_b) > std::fabs(f.by_a)) out.leaf = next.leaf;
+        out.share *= std::fabs(f.by_a);
+        const double share = next.share * std::fabs(f.by_b);
+        if (share > out.share) out.leaf = next.leaf, out.share = share;
     }
     return out;
 }
@@ -128,6 +133,50 @@ Traced trace(const Field& field, int index, const Vec2& p) {
     return {};
 }
 
+void add_weights(const Field& field, int index, const Vec2& p, double share, std::vector<BlendWeight>& out);
+
+/// Each further operand takes its part of the share from all before it.
+void add_fold_weights(const Field& field, const Op& op, const Vec2& p, double share, std::vector<BlendWeight>& out) {
+    std::vector<double> weights{share};
+    double value = tree_value(field, child_of(field, op, 0), p);
+    for (int i = 1; i < op.child_count; ++i) {
+        const double next = tree_value(field, child_of(field, op, i), p);
+        const sdf::Partials f = op.kernels->combine_partials(params_of(field, op), value / op.scale, next / op.scale);
+        value = f.value * op.scale;
+        for (double& weight : weights) weight *= std::fabs(f.by_a);
+        weights.push_back(share * std::fabs(f.by_b));
+    }
+    for (int i = 0; i < op.child_count; ++i)
+        if (const double weight = weights[static_cast<std::size_t>(i)]; weight > 0) add_weights(field, child_of(field, op, i), p, weight, out);
+}
+
+Vec2 seen_in_nearest_image(const Field& field, const Op& op, const Vec2& p) {
+    Vec2 nearest = p;
+    double least = infinity;
+    for (int i = 0; i < op.image_count; ++i) {
+        const Vec2 there = image_of(field, op, i).inverse() * p;
+        const double value = tree_value(field, child_of(field, op, 0), there);
+        if (value < least) least = value, nearest = there;
+    }
+    return nearest;
+}
+
+void add_weights(const Field& field, int index, const Vec2& p, double share, std::vector<BlendWeight>& out) {
+    const Op& op = op_at(field, index);
+    if (op.child_count == 0) return out.push_back({index, share});
+    if (op.kernels->form == Form::fold) return add_fold_weights(field, op, p, share, out);
+    Vec2 there = p;  // where the only child is asked
+    if (is_boundary(op)) {
+        const Sample s = evaluate_tree(field, index, p);
+        there = p - s.value * s.gradient;
+    } else if (op.kernels->form == Form::images) {
+        there = seen_in_nearest_image(field, op, p);
+    } else if (op.kernels->form == Form::warp) {
+        there = op.local_from_field.inverse() * op.kernels->warp(params_of(field, op), op.local_from_field * p);
+    }
+    add_weights(field, child_of(field, op, 0), there, share, out);
+}
+
 }  // namespace
 
 double tree_value(const Field& field, int index, const Vec2& p) {
@@ -152,6 +201,12 @@ Sample evaluate_tree(const Field& field, int op, const Vec2& p, int* leaf) {
     const Traced traced = trace(field, op, p);
     if (leaf) *leaf = traced.leaf;
     return traced.sample;
+}
+
+std::vector<BlendWeight> blend_weights(const Field& field, int op, const Vec2& p) {
+    std::vector<BlendWeight> out;
+    add_weights(field, op, p, 1, out);
+    return out;
 }
 
 }  // namespace pinfield

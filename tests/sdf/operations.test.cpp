@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/rng.h"
 #include "engine/sdf/operations/complement.h"
 #include "engine/sdf/operations/difference.h"
 #include "engine/sdf/operations/inset.h"
@@ -85,9 +86,9 @@ TEST_CASE("a smooth union lowers what coincides by k, leaves alone what is 4 k a
     CHECK(dry.combine(0.01, 0.01) == 0.01);
 }
 
-TEST_CASE("every family of blend lowers what coincides by k and nothing by more, with slopes between 0 and 1/2") {
+TEST_CASE("every family of blend lowers what coincides by k and nothing by more, with slopes between 0 and 1/2, or of stairs 1") {
     const double k = 0.01;
-    const std::array widths{4.0, 6.0, 16.0 / 3, 1 / (1 - std::sqrt(0.5)), infinity, 2.0};  // in k, where the bump ends
+    const std::array widths{4.0, 6.0, 16.0 / 3, 1 / (1 - std::sqrt(0.5)), infinity, 2.0, 2.0};  // in k, where the bump ends (four stairs')
     for (std::size_t i = 0; i < widths.size(); ++i) {
         const auto family = static_cast<BlendFamily>(i);
         CAPTURE(choice_names(family)[i]);
@@ -97,11 +98,41 @@ TEST_CASE("every family of blend lowers what coincides by k and nothing by more,
         for (double x = 0; x < 0.1; x += 1e-4) {
             const double here = bump(x, k, family);
             CHECK(here <= last);
-            CHECK(last - here <= 0.5 * 1e-4 + 1e-16);
+            CHECK(last - here <= (family == BlendFamily::stairs ? 1 : 0.5) * 1e-4 + 1e-16);
             if (x > widths[i] * k) CHECK(std::fabs(here) < 1e-16);
             last = here;
         }
         CHECK(smooth_min(0.013, 0.02, k, family) == smooth_min(0.02, 0.013, k, family));
+    }
+}
+
+TEST_CASE("stairs are as many corners between two walls as there are steps, the one in the middle k high, and no distance is overrated") {
+    const double k = 0.01;
+    for (const int steps : {1, 2, 3, 4, 5, 8, 17, 64}) {
+        CAPTURE(steps);
+        const double s = k / ((steps + 1) / 2);
+        CHECK(smooth_min(0.02, 0.02, k, BlendFamily::stairs, steps) == Approx(0.02 - k).epsilon(1e-14));
+        CHECK(smooth_min(0.02, 0.02 + steps * s, k, BlendFamily::stairs, steps) == Approx(0.02).epsilon(1e-14));
+        CHECK(smooth_min(-0.02, -0.02, 0.0, BlendFamily::stairs, steps) == -0.02);
+        CounterRng random(static_cast<std::uint64_t>(steps));
+        for (int i = 0; i < 2000; ++i) {
+            const double a = random.in(-0.03, 0.03), b = random.in(-0.03, 0.03);
+            double wanted = std::min(a, b);  // the lattice formula of the corners
+            for (int step = 1; step <= steps; ++step) wanted = std::min(wanted, std::max(a - step * s, b - (steps + 1 - step) * s));
+            const double found = smooth_min(a, b, k, BlendFamily::stairs, steps);
+            CHECK(found == Approx(wanted).margin(1e-16));
+            CHECK(smooth_min(b, a, k, BlendFamily::stairs, steps) == found);
+            const Dual f = smooth_min(Dual(a, 1, 0), Dual(b, 0, 1), Dual(k), BlendFamily::stairs, steps);
+            CHECK((f.dx == 0 || f.dx == 1));
+            CHECK(f.dx + f.dy == 1);
+        }
+    }
+    // Solid left of x = 0 and below y = 0: three steps of 5 mm, by the corner of each.
+    const auto solid = [&](double x, double y) { return smooth_min(x, y, k, BlendFamily::stairs, 3) < 0; };
+    for (const Vec2& corner : {Vec2(0.005, 0.015), Vec2(0.010, 0.010), Vec2(0.015, 0.005)}) {
+        CHECK(solid(corner.x() - 1e-6, corner.y() - 1e-6));
+        CHECK_FALSE(solid(corner.x() + 1e-6, corner.y() - 1e-6));
+        CHECK_FALSE(solid(corner.x() - 1e-6, corner.y() + 1e-6));
     }
 }
 

@@ -14,8 +14,9 @@ template <class Real>
 struct SmoothDifference {
     Real k = Real(0.005);
     BlendFamily family = BlendFamily::quadratic;
+    int steps = usual_steps;
 
-    Real combine(const Real& a, const Real& b) const { return -smooth_min(-a, b, k, family); }
+    Real combine(const Real& a, const Real& b) const { return -smooth_min(-a, b, k, family, steps); }
     static Real hard(const Real& a, const Real& b) { return max(a, -b); }
     Slack slack() const { return {.above = k}; }
 
@@ -31,7 +32,10 @@ struct SmoothDifference {
                             fields(field("k", &T::k,
                                          {.unit = Unit::metre, .min = from(0), .step = 0.0005,
                                           .doc = "How much more is cut away where two outlines coincide."}),
-                                   field("family", &T::family, {.doc = "Profile of the rim."})));
+                                   field("family", &T::family, {.doc = "Profile of the rim."}),
+                                   field("steps", &T::steps,
+                                         {.min = from(1), .max = to(64), .step = 1,
+                                          .doc = "How many, of the family stairs; the others have none."})));
     }
 };
 
