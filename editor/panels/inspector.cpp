@@ -38,7 +38,10 @@ void exactness_badges(const AppState& state, const Theme& theme, const Node& nod
     if (!trust) return;
     const Exactness e = trust->exactness();
     ImGui::Dummy({0, theme.px(1)});
-    if (e.outside == e.inside) {
+    if (trust->fitted) {
+        pill(theme, "right to 1e-7 of its size", palette::accent, PillStyle::bare);
+        tooltip(theme, "The distance used is not exact, but off by at most a ten millionth of the node's size, on both sides.");
+    } else if (e.outside == e.inside) {
         side_badge(theme, "on both sides", e.outside);
     } else {
         side_badge(theme, "outside", e.outside);

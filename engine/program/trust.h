@@ -15,7 +15,8 @@ struct Trust {
     bool boundary_known = false;  ///< its boundary was found and is asked in the formula's place: right on both sides
     bool fitted = false;          ///< ... within trace_tolerance of its size; if false, exact
 
-    Exactness exactness() const { return boundary_known ? Exactness{} : formula; }
+    /// A fitted boundary is right for all that is done with it, but not exact.
+    Exactness exactness() const { return boundary_known && !fitted ? Exactness{} : formula; }
 };
 
 /// Of every scene node that has a field: shapes, operations, and parts made of them.
