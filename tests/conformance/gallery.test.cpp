@@ -85,7 +85,7 @@ TEST_CASE("between any two exhibits of the gallery there is room for a ball, and
 
 TEST_CASE("twenty balls that walk the gallery pass through no exhibit") {
     const Gallery gallery = open_gallery();
-    for (const std::uint64_t seed : {1, 2, 3}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         WorldOptions how;
         how.seed = seed;
         World world(gallery.program, how);
