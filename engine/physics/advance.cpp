@@ -45,7 +45,7 @@ Slice sweep_slice(WorldState& w, std::size_t i, double rest, double room) {
     Slice slice;
     slice.duration = speed * rest > longest ? longest / speed : rest;
     const double travel = path.travel(slice.duration);
-    slice.sweep = w.prepared->fixed.sweep(path, slice.duration, r, w.band, w.balls[i].layer, std::max(room, travel), w.sweeps);
+    slice.sweep = w.prepared->fixed.sweep(path, slice.duration, r, w.band, w.balls[i].layer, std::max(room, travel), w.sweeps, &w.near[i]);
     return slice;
 }
 
@@ -116,6 +116,7 @@ public:
 
     void run() {
         for (std::size_t m = 0; m < w_.movers.size(); ++m) plan_stop(w_, m);
+        w_.plans.resize(w_.balls.size());
         for (const int i : w_.together) {
             plan_fixed(at(i));
             plan_movers(at(i));
@@ -149,8 +150,8 @@ private:
                 mover = static_cast<int>(m);
             }
         for (const int i : w_.together) {
-            const BallWork& work = w_.work[at(i)];
-            const double next = std::min({work.fixed_time, work.mover_time, work.pair_time});
+            const BallPlan& plan = w_.plans[at(i)];
+            const double next = std::min({plan.fixed_time, plan.mover_time, plan.pair_time});
             if (next < earliest) {
                 earliest = next;
                 ball = i;
@@ -192,17 +193,18 @@ private:
 
     void run_ball_event(std::size_t i) {
         BallWork& work = w_.work[i];
-        if (work.pair_time < work.fixed_time && work.pair_time < work.mover_time) return run_pair(i, at(work.partner));
-        const bool by_mover = work.mover_time < work.fixed_time;
-        const double time = by_mover ? work.mover_time : work.fixed_time;
+        const BallPlan& plan = w_.plans[i];
+        if (plan.pair_time < plan.fixed_time && plan.pair_time < plan.mover_time) return run_pair(i, at(plan.partner));
+        const bool by_mover = plan.mover_time < plan.fixed_time;
+        const double time = by_mover ? plan.mover_time : plan.fixed_time;
         advance_ball(w_, i, time - work.time);
         work.time = time;
-        const FieldHit hit = by_mover ? work.mover_hit : work.fixed_hit;
-        const bool capped = by_mover ? work.mover_capped : work.fixed_capped;
+        const FieldHit hit = by_mover ? plan.mover_hit : plan.fixed_hit;
+        const bool capped = by_mover ? plan.mover_capped : plan.fixed_capped;
         if (hit.solid < 0 && !capped) return replan_ball(i);  // the end of a slice
-        if (by_mover) advance_mover(w_, at(work.mover), time);
+        if (by_mover) advance_mover(w_, at(plan.mover), time);
         if (by_mover && !moves(i)) {
-            meet_immovable(i, at(work.mover));
+            meet_immovable(i, at(plan.mover));
             return;
         }
         if (capped || ++work.impacts > most_impacts) {
@@ -215,7 +217,7 @@ private:
             if (near(i, m)) advance_mover(w_, m, time);
             rates_.push_back(w_.movers[m].rate);
         }
-        respond(w_, i, contact_of(w_, hit, by_mover ? work.mover : -1));
+        respond(w_, i, contact_of(w_, hit, by_mover ? plan.mover : -1));
         // A mover that was only brought to this time goes on as planned: what others planned against it stands.
         for (std::size_t m = 0; m < w_.movers.size(); ++m)
             if (w_.movers[m].rate != rates_[m]) replan_mover(m);
@@ -244,7 +246,7 @@ private:
     }
 
     void run_pair(std::size_t i, std::size_t j) {
-        const double time = w_.work[i].pair_time;
+        const double time = w_.plans[i].pair_time;
         for (const std::size_t k : {i, j}) {
             advance_ball(w_, k, time - w_.work[k].time);
             w_.work[k].time = time;
@@ -263,30 +265,32 @@ private:
         plan_movers(i);
         plan_pairs(i);
         for (const int k : w_.together)
-            if (w_.work[at(k)].partner == static_cast<int>(i) && at(k) != i) plan_pairs(at(k));
+            if (w_.plans[at(k)].partner == static_cast<int>(i) && at(k) != i) plan_pairs(at(k));
     }
 
     void plan_fixed(std::size_t i) {
-        BallWork& work = w_.work[i];
-        work.fixed_time = infinity;
-        work.fixed_hit = {};
-        work.fixed_capped = false;
+        const BallWork& work = w_.work[i];
+        BallPlan& plan = w_.plans[i];
+        plan.fixed_time = infinity;
+        plan.fixed_hit = {};
+        plan.fixed_capped = false;
         if (!moves(i) || work.time >= h_ || !w_.options.sweep) return;
         const double rest = h_ - work.time;
         const Slice slice = sweep_slice(w_, i, rest, 0);
-        work.fixed_hit = slice.sweep.hit;
-        work.fixed_capped = slice.sweep.clear_until < slice.duration;
-        if (work.fixed_capped) work.fixed_time = work.time + slice.sweep.clear_until;
-        else if (slice.sweep.hit.time <= slice.duration) work.fixed_time = work.time + slice.sweep.hit.time;
-        else if (slice.duration < rest) work.fixed_time = work.time + slice.duration;
+        plan.fixed_hit = slice.sweep.hit;
+        plan.fixed_capped = slice.sweep.clear_until < slice.duration;
+        if (plan.fixed_capped) plan.fixed_time = work.time + slice.sweep.clear_until;
+        else if (slice.sweep.hit.time <= slice.duration) plan.fixed_time = work.time + slice.sweep.hit.time;
+        else if (slice.duration < rest) plan.fixed_time = work.time + slice.duration;
         w_.balls[i].free_path = 0;
     }
 
     void plan_movers(std::size_t i) {
-        BallWork& work = w_.work[i];
-        work.mover_time = infinity;
-        work.mover_hit = {};
-        work.mover_capped = false;
+        const BallWork& work = w_.work[i];
+        BallPlan& plan = w_.plans[i];
+        plan.mover_time = infinity;
+        plan.mover_hit = {};
+        plan.mover_capped = false;
         if (work.time >= h_ || !w_.options.sweep) return;
         const Motion ball = motion_of(w_, i);
         for (std::size_t m = 0; m < w_.movers.size(); ++m) {
@@ -304,11 +308,11 @@ private:
                                                until - from, w_.physics.ball_radius, w_.band, w_.balls[i].layer, w_.sweeps);
             const bool capped = found.clear_until < until - from;
             const double time = from + (capped ? found.clear_until : found.hit.time);
-            if (time >= work.mover_time || !(capped || found.hit.time <= until - from)) continue;
-            work.mover_time = time;
-            work.mover_hit = found.hit;
-            work.mover_capped = capped;
-            work.mover = static_cast<int>(m);
+            if (time >= plan.mover_time || !(capped || found.hit.time <= until - from)) continue;
+            plan.mover_time = time;
+            plan.mover_hit = found.hit;
+            plan.mover_capped = capped;
+            plan.mover = static_cast<int>(m);
         }
     }
 
@@ -331,21 +335,21 @@ private:
     }
 
     void plan_pairs(std::size_t i) {
-        BallWork& work = w_.work[i];
-        work.pair_time = infinity;
-        work.partner = -1;
+        BallPlan& plan = w_.plans[i];
+        plan.pair_time = infinity;
+        plan.partner = -1;
         if (!w_.options.balls_collide) return;
         for (const int k : w_.together) {
             const std::size_t j = at(k);
             if (j == i || (!moves(i) && !moves(j))) continue;
             const double time = meeting(std::min(i, j), std::max(i, j));
-            if (time < work.pair_time) {
-                work.pair_time = time;
-                work.partner = k;
+            if (time < plan.pair_time) {
+                plan.pair_time = time;
+                plan.partner = k;
             }
-            if (time < w_.work[j].pair_time) {
-                w_.work[j].pair_time = time;
-                w_.work[j].partner = static_cast<int>(i);
+            if (time < w_.plans[j].pair_time) {
+                w_.plans[j].pair_time = time;
+                w_.plans[j].partner = static_cast<int>(i);
             }
         }
     }

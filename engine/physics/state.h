@@ -22,8 +22,6 @@ struct Contact {
     bool same_surface(const Contact& c) const { return mover == c.mover && solid == c.solid && piece == c.piece; }
 };
 
-enum class NextKind : unsigned char { none, fixed, mover, ball, slice };
-
 /// A ball's place in the tick that is being run.
 struct BallWork {
     double time = 0;             ///< seconds into the tick that its position and velocity stand for
@@ -37,10 +35,10 @@ struct BallWork {
     bool embedded = false;       ///< an edit put it into a solid: it is being let out
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
     bool waiting = false;        ///< to be put back as soon as no mover stands where it starts
+};
 
-    // Its earliest event, for balls whose ticks are run together.
-    NextKind next = NextKind::none;
-    double next_time = infinity;
+/// The earliest events of a ball whose tick is run together with others'.
+struct BallPlan {
     FieldHit fixed_hit, mover_hit;
     double fixed_time = infinity, mover_time = infinity, pair_time = infinity;
     bool fixed_capped = false, mover_capped = false;
@@ -77,6 +75,7 @@ struct WorldState {
     std::uint32_t next_ball = 1;
     std::vector<Ball> balls;
     std::vector<BallWork> work;
+    std::vector<Neighbours> near;  ///< of each ball, in the static field
     std::vector<MoverState> movers;
     std::vector<MoverWork> mover_work;
     std::vector<bool> pressed;
@@ -92,8 +91,8 @@ struct WorldState {
     std::vector<Contact> contacts;
     std::vector<Touch> touches;
     std::vector<int> together;
+    std::vector<BallPlan> plans;  ///< of the balls in `together`, by their index among all
     std::vector<Ball> balls_before;
-    std::vector<BallWork> work_before;
 
     const Program& program() const { return *prepared->program; }
     double start_time() const { return static_cast<double>(tick) * physics.step; }

@@ -11,39 +11,61 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
+/// Ball radii. A longer list lasts longer and takes longer to go through.
+constexpr double neighbour_reach = 4;
+
 }  // namespace
 
 SweptField::SweptField(const Field& field) : field_(&field), pieces_(prepare_pieces(field)) {}
 
 FieldSweep SweptField::sweep(const Motion& motion, double duration, double radius, const ContactBand& band, LayerMask layers,
-                             double reach, SweepStats& stats) const {
+                             double reach, SweepStats& stats, Neighbours* near) const {
     FieldSweep out;
     ++stats.sweeps;
-    const double travel = motion.travel(duration);
+    const double touchable = radius + motion.travel(duration) + band.tolerance;  // what is farther cannot be met
     const int piece_count = static_cast<int>(pieces_.size());
-    double nearest = radius + reach, until = duration;
-    int evaluations = 0;
-    field_->bvh.overlapping(motion.bounds(duration).grown(radius + reach), [&](int entry) {
+    double nearest = radius + reach;
+    int evaluations = 0, first_entry = -1;
+    const auto is_first = [&](double time, int entry) {
+        if (!(time < out.hit.time || (time == out.hit.time && time < infinity && entry < first_entry))) return false;
+        first_entry = entry;
+        return true;
+    };
+    // Each entry is swept for the whole duration, so that what is found does not depend on the order of the visits by a bit.
+    const auto visit = [&](int entry) {
         if (entry >= piece_count) {
             const int solid = field_->tree_solids[at(entry - piece_count)];
             if (!in_layers(solid, layers)) return;
-            const TreeSweep tree = sweep_tree(*field_, solid, motion, until, radius, band, evaluations);
+            const TreeSweep tree = sweep_tree(*field_, solid, motion, duration, radius, band, evaluations);
             nearest = std::min(nearest, tree.start_distance);
             out.clear_until = std::min(out.clear_until, tree.clear_until);
-            if (tree.time < out.hit.time) out.hit = {tree.time, tree.normal, 0, solid, tree.leaf, -1};
+            if (is_first(tree.time, entry)) out.hit = {tree.time, tree.normal, 0, solid, tree.leaf, -1};
         } else {
             const SweepPiece& piece = pieces_[at(entry)];
             if (!(piece.layers & layers)) return;
-            const Foot foot = nearest_on(piece, motion.position);
-            nearest = std::min(nearest, foot.distance);
-            if (foot.distance - radius > travel + band.tolerance) return;
-            const PieceHit hit = sweep_piece(piece, motion, until, radius, band, evaluations);
+            const double distance = distance_to(piece, motion.position);
+            nearest = std::min(nearest, distance);
+            if (distance > touchable) return;
+            const PieceHit hit = sweep_piece(piece, motion, duration, radius, band, evaluations);
             if (hit.capped) out.clear_until = std::min(out.clear_until, hit.time);
-            else if (hit.time < out.hit.time || (hit.time == out.hit.time && hit.time < infinity && entry < out.hit.piece))
-                out.hit = {hit.time, hit.normal, piece.turn < 0 && hit.time < infinity ? piece.radius : 0, piece.solid, piece.leaf, entry};
+            else if (is_first(hit.time, entry))
+                out.hit = {hit.time, hit.normal, piece.turn < 0 ? piece.radius : 0, piece.solid, piece.leaf, entry};
         }
-        until = std::min(until, out.hit.time);
-    });
+    };
+    const double needed = std::max(nearest, touchable);
+    if (near && gather(motion.position, needed, radius, *near)) {
+        const double moved = length(motion.position - near->around);
+        for (const Neighbour& neighbour : near->list) {
+            if (neighbour.distance - moved > std::max(nearest, touchable)) break;
+            visit(neighbour.entry);
+        }
+    } else {
+        field_->bvh.nearest_squared(motion.position, needed * needed, [&](int entry) {
+            visit(entry);
+            const double reached = std::max(nearest, touchable);
+            return reached * reached;
+        });
+    }
     if (out.clear_until >= out.hit.time) out.clear_until = infinity;
     else out.hit = {};
     out.free_path = std::max(0.0, nearest - radius - band.tolerance);
@@ -51,6 +73,29 @@ FieldSweep SweptField::sweep(const Motion& motion, double duration, double radiu
     stats.most_evaluations = std::max(stats.most_evaluations, evaluations);
     if (out.clear_until < duration) ++stats.capped;
     return out;
+}
+
+bool SweptField::gather(const Vec2& p, double needed, double radius, Neighbours& near) const {
+    if (length(p - near.around) + needed <= near.reach) return true;
+    const double reach = neighbour_reach * radius;
+    if (needed > reach) return false;
+    near.around = p;
+    near.reach = reach;
+    near.list.clear();
+    field_->bvh.nearest(p, reach, [&](int entry) {
+        near.list.push_back({least_distance(entry, p), entry});
+        return reach;
+    });
+    std::sort(near.list.begin(), near.list.end(), [](const Neighbour& a, const Neighbour& b) {
+        return a.distance != b.distance ? a.distance < b.distance : a.entry < b.entry;
+    });
+    return true;
+}
+
+double SweptField::least_distance(int entry, const Vec2& p) const {
+    const int tree = entry - static_cast<int>(pieces_.size());
+    if (tree < 0) return distance_to(pieces_[at(entry)], p);
+    return field_->solids[at(field_->tree_solids[at(tree)])].bounds.distance(p);
 }
 
 void SweptField::touching(const Vec2& p, double radius, double skin, LayerMask layers, std::vector<Touch>& out) const {

@@ -253,6 +253,18 @@ Foot nearest_on(const SweepPiece& p, const Vec2& point) {
     return foot;
 }
 
+double distance_to(const SweepPiece& p, const Vec2& point) {
+    const Vec2 from_a = point - p.a;
+    if (p.turn == 0) {
+        const double u = dot(p.along, from_a), beyond = u - std::clamp(u, 0.0, p.length), height = dot(p.normal, from_a);
+        return std::sqrt(beyond * beyond + height * height);
+    }
+    const Vec2 x = point - p.centre;
+    if (in_sector(p, x)) return std::abs(length(x) - p.radius);
+    const Vec2 from_b = point - p.b;
+    return std::sqrt(std::min(dot(from_a, from_a), dot(from_b, from_b)));
+}
+
 PieceHit sweep_piece(const SweepPiece& piece, const Motion& motion, double duration, double radius, const ContactBand& band,
                      int& evaluations) {
     PieceHit best = piece.turn == 0 ? sweep_side(piece, motion, duration, radius, band, evaluations)

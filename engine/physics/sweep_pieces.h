@@ -32,6 +32,8 @@ struct Foot {
     bool outside = true;         ///< p is on the free side, and the foot is a place that a ball can touch
 };
 Foot nearest_on(const SweepPiece& piece, const Vec2& p);
+/// The foot's distance alone: metres, unsigned.
+double distance_to(const SweepPiece& piece, const Vec2& p);
 
 struct PieceHit {
     double time = infinity;

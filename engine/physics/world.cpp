@@ -124,6 +124,7 @@ BallId World::add_ball(const Vec2& position, const Vec2& velocity, double spin) 
     ball.spin = spin;
     state_->balls.push_back(ball);
     state_->work.emplace_back();
+    state_->near.emplace_back();
     check_embedded(*state_, state_->balls.size() - 1);
     return ball.id;
 }
@@ -139,6 +140,7 @@ void World::add_spawned_balls() {
 void World::remove_balls() {
     state_->balls.clear();
     state_->work.clear();
+    state_->near.clear();
 }
 
 void World::put_back(BallId id) {
@@ -160,6 +162,7 @@ void World::set_program(ProgramPtr program) {
     for (std::size_t k = 0; k < w.pressed.size(); ++k)
         if (w.pressed[k]) held.push_back(before->program->inputs[k]);
     w.prepared = std::make_shared<const PreparedProgram>(std::move(program));
+    w.near.assign(w.balls.size(), {});
     take_physics(w);
     fresh_movers(w);
     const auto origin = [](const Program& p, std::size_t m) { return p.parts[at(p.movers[m].part)].origin; };

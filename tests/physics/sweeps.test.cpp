@@ -221,3 +221,36 @@ TEST_CASE("a ball that follows a wall in contact stays outside where the wall be
             }
         }
 }
+
+// A list remembered from sweep to sweep is a shortcut only: what is found has the same bits as with a search each time, also
+// for several things at the same distance and for what is marched as a tree.
+TEST_CASE("a sweep with remembered neighbours finds the same to the bit") {
+    std::string nodes = "  - half_plane: {at: [0.1, 0.1], turn: 20}\n";
+    CounterRng rng(12);
+    for (int i = 0; i < 40; ++i) {
+        const std::string at = "at: [" + std::to_string(rng.in(0.2, 0.9)) + ", " + std::to_string(rng.in(0.2, 0.9)) + "]";
+        nodes += i % 2 ? "  - circle: {radius: 15mm, " + at + "}\n" : "  - box: {size: [30mm, 30mm], turn: " + std::to_string(i) + ", " + at + "}\n";
+    }
+    const ProgramPtr program = program_of(room(1, 1, "", "", nodes));
+    const SweptField swept(program->fixed);
+    Neighbours near;
+    SweepStats stats;
+    Vec2 p(0.5, 0.5);
+    int hits = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const double speed = i % 50 == 0 ? 60 : 3, duration = 1e-3;  // now and then it jumps out of its list
+        Motion path = random_motion(rng, speed, i % 2 ? 9.81 : 0);
+        path.position = p;
+        const FieldSweep listed = swept.sweep(path, duration, r, band, ground_layer, r, stats, &near);
+        const FieldSweep searched = swept.sweep(path, duration, r, band, ground_layer, r, stats);
+        REQUIRE(listed.hit.time == searched.hit.time);
+        REQUIRE(listed.hit.piece == searched.hit.piece);
+        REQUIRE(listed.hit.solid == searched.hit.solid);
+        REQUIRE(listed.hit.normal == searched.hit.normal);
+        REQUIRE(listed.free_path == searched.free_path);
+        REQUIRE(listed.clear_until == searched.clear_until);
+        hits += listed.hit.time <= duration ? 1 : 0;
+        p = path.at(std::min(duration, listed.hit.time));
+    }
+    CHECK(hits > 300);
+}
