@@ -18,15 +18,26 @@ static_assert(block % width == 0);
 struct Points {
     const float* x;
     const float* y;
-    int n;  // at most block; rows may be written up to the next multiple of `width`
+    int n;  // at most block; rows are read and written up to the next multiple of `width`
 };
+
+sdf::PacketFrame frame_of(const Similarity& similarity, double scale) {
+    const double mirror = similarity.mirrored ? -1 : 1, s = similarity.scale;
+    sdf::PacketFrame f;
+    f.xx = static_cast<float>(s * similarity.cosine);
+    f.xy = static_cast<float>(-s * similarity.sine * mirror);
+    f.x0 = static_cast<float>(similarity.offset.x());
+    f.yx = static_cast<float>(s * similarity.sine);
+    f.yy = static_cast<float>(s * similarity.cosine * mirror);
+    f.y0 = static_cast<float>(similarity.offset.y());
+    f.scale = static_cast<float>(scale);
+    return f;
+}
 
 /// q = similarity * p for all points.
 void transform(const Similarity& similarity, const Points& p, Row& qx, Row& qy) {
-    const double mirror = similarity.mirrored ? -1 : 1, s = similarity.scale;
-    const Batch xx(static_cast<float>(s * similarity.cosine)), xy(static_cast<float>(-s * similarity.sine * mirror));
-    const Batch yx(static_cast<float>(s * similarity.sine)), yy(static_cast<float>(s * similarity.cosine * mirror));
-    const Batch x0(static_cast<float>(similarity.offset.x())), y0(static_cast<float>(similarity.offset.y()));
+    const sdf::PacketFrame f = frame_of(similarity, 1);
+    const Batch xx(f.xx), xy(f.xy), yx(f.yx), yy(f.yy), x0(f.x0), y0(f.y0);
     for (int i = 0; i < p.n; i += width) {
         const Batch x = Batch::load_unaligned(p.x + i), y = Batch::load_unaligned(p.y + i);
         (xx * x + xy * y + x0).store_unaligned(qx.data() + i);
@@ -44,7 +55,7 @@ class Evaluator {
 public:
     Evaluator(const Field& field, sdf::Isa isa) : field_(field), isa_(static_cast<std::size_t>(isa)) {}
 
-    void value(int op_index, const Points& p, Row& out) const {
+    void value(int op_index, const Points& p, float* out) const {
         const Op& op = field_.ops[static_cast<std::size_t>(op_index)];
         switch (op.kernels->form) {
             case sdf::Form::shape: return shape(op, p, out);
@@ -64,44 +75,41 @@ private:
         return own.distance || own.combine || own.warp ? own : op.kernels->packets[static_cast<std::size_t>(sdf::Isa::sse2)];
     }
 
-    void shape(const Op& op, const Points& p, Row& out) const {
-        Row x, y;
-        transform(op.local_from_field, p, x, y);
-        packets(op).distance(params(op), x.data(), y.data(), out.data(), p.n);
-        scale_row(out.data(), p.n, op.scale);
+    void shape(const Op& op, const Points& p, float* out) const {
+        packets(op).distance(params(op), frame_of(op.local_from_field, op.scale), p.x, p.y, out, p.n);
     }
 
-    void combine(const Op& op, const Points& p, Row& out) const {
+    void combine(const Op& op, const Points& p, float* out) const {
         const sdf::PacketCombine kernel = packets(op).combine;
         value(child(op, 0), p, out);
-        scale_row(out.data(), p.n, 1 / op.scale);
-        if (op.kernels->form == sdf::Form::modify) kernel(params(op), out.data(), out.data(), p.n);
+        scale_row(out, p.n, 1 / op.scale);
+        if (op.kernels->form == sdf::Form::modify) kernel(params(op), out, out, p.n);
         for (int i = 1; i < op.child_count; ++i) {
             Row next;
-            value(child(op, i), p, next);
+            value(child(op, i), p, next.data());
             scale_row(next.data(), p.n, 1 / op.scale);
-            kernel(params(op), out.data(), next.data(), p.n);
+            kernel(params(op), out, next.data(), p.n);
         }
-        scale_row(out.data(), p.n, op.scale);
+        scale_row(out, p.n, op.scale);
     }
 
-    void warp(const Op& op, const Points& p, Row& out) const {
+    void warp(const Op& op, const Points& p, float* out) const {
         Row x, y, lift, there_x, there_y;
         transform(op.local_from_field, p, x, y);
         packets(op).warp(params(op), x.data(), y.data(), lift.data(), p.n);
         transform(op.local_from_field.inverse(), {x.data(), y.data(), p.n}, there_x, there_y);
         value(child(op, 0), {there_x.data(), there_y.data(), p.n}, out);
         const float factor = static_cast<float>(op.kernels->factor(params(op))), scale = static_cast<float>(op.scale);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(p.n); ++i) out[i] = factor * out[i] + scale * lift[i];
+        for (int i = 0; i < p.n; ++i) out[i] = factor * out[i] + scale * lift[static_cast<std::size_t>(i)];
     }
 
-    void images(const Op& op, const Points& p, Row& out) const {
-        std::fill_n(out.begin(), p.n, std::numeric_limits<float>::infinity());
+    void images(const Op& op, const Points& p, float* out) const {
+        std::fill_n(out, p.n, std::numeric_limits<float>::infinity());
         for (int i = 0; i < op.image_count; ++i) {
             Row x, y, d;
             transform(field_.images[static_cast<std::size_t>(op.first_image + i)].inverse(), p, x, y);
-            value(child(op, 0), {x.data(), y.data(), p.n}, d);
-            std::transform(d.begin(), d.begin() + p.n, out.begin(), out.begin(),
+            value(child(op, 0), {x.data(), y.data(), p.n}, d.data());
+            std::transform(d.begin(), d.begin() + p.n, out, out,
                            [](float nearer, float so_far) { return nearer < so_far ? nearer : so_far; });
         }
     }
@@ -110,49 +118,63 @@ private:
     std::size_t isa_;
 };
 
-/// distance = min(distance, d) and, where d is less, winner = index; indices up to 2^24 are exact as floats.
-void take_minimum(const Row& d, int index, int n, Row& distance, Row& winner) {
-    const Batch number(static_cast<float>(index));
-    for (int i = 0; i < n; i += width) {
-        const Batch a = Batch::load_unaligned(distance.data() + i), b = Batch::load_unaligned(d.data() + i);
-        const auto nearer = b < a;
-        xsimd::select(nearer, b, a).store_unaligned(distance.data() + i);
-        xsimd::select(nearer, number, Batch::load_unaligned(winner.data() + i)).store_unaligned(winner.data() + i);
+/// distance = min(distance, d) and, where d is less, winner = index.
+void take_minimum(const float* d, int index, int n, float* distance, int* winner) {
+    for (int i = 0; i < n; ++i) {
+        const bool nearer = d[i] < distance[i];
+        distance[i] = nearer ? d[i] : distance[i];
+        winner[i] = nearer ? index : winner[i];
     }
 }
 
-void take_minimum(const Row& d, int n, Row& distance) {
+void take_minimum(const float* d, int n, float* distance) {
     for (int i = 0; i < n; i += width)
-        xsimd::min(Batch::load_unaligned(distance.data() + i), Batch::load_unaligned(d.data() + i))
-            .store_unaligned(distance.data() + i);
+        xsimd::min(Batch::load_unaligned(distance + i), Batch::load_unaligned(d + i)).store_unaligned(distance + i);
 }
+
+/// As many points as there are, at most `block`, in rows that may be read in whole batches.
+class PaddedPoints {
+public:
+    PaddedPoints(const float* x, const float* y, int n) : points_{x, y, n} {
+        if (n % width == 0) return;
+        x_.fill(0);  // what is read must at least be numbers
+        y_.fill(0);
+        std::copy_n(x, n, x_.begin());
+        std::copy_n(y, n, y_.begin());
+        points_ = {x_.data(), y_.data(), n};
+    }
+    PaddedPoints(const PaddedPoints&) = delete;
+    PaddedPoints& operator=(const PaddedPoints&) = delete;
+    const Points& get() const { return points_; }
+
+private:
+    Points points_;
+    Row x_, y_;
+};
 
 }  // namespace
 
 void evaluate_packets(const Field& field, std::span<const int> candidates, const float* x, const float* y, int n,
                       float* distance, int* solid, sdf::Isa isa) {
     const Evaluator evaluator(field, isa);
-    Row px, py, best, winner, d;
+    Row padded, d;
     for (int start = 0; start < n; start += block) {
         const int count = std::min(block, n - start);
-        const int whole = (count + width - 1) / width * width;
-        std::copy_n(x + start, count, px.begin());
-        std::copy_n(y + start, count, py.begin());
-        std::fill(px.begin() + count, px.begin() + whole,
-                  0.0f);  // whole batches are read: these must at least be numbers
-        std::fill(py.begin() + count, py.begin() + whole, 0.0f);
-        std::fill_n(best.begin(), whole, std::numeric_limits<float>::infinity());
-        std::fill_n(winner.begin(), whole, -1.0f);
-        for (const int candidate : candidates) {
-            evaluator.value(field.solids[static_cast<std::size_t>(candidate)].root, {px.data(), py.data(), count}, d);
+        const PaddedPoints points(x + start, y + start, count);
+        const auto root = [&](int candidate) { return field.solids[static_cast<std::size_t>(candidate)].root; };
+        const bool is_whole = count % width == 0;  // else the last batch would be written beyond the caller's end
+        float* best = is_whole ? distance + start : padded.data();
+        if (candidates.empty()) std::fill_n(best, count, std::numeric_limits<float>::infinity());
+        else evaluator.value(root(candidates[0]), points.get(), best);
+        if (solid) std::fill_n(solid + start, count, candidates.empty() ? -1 : candidates[0]);
+        for (std::size_t k = 1; k < candidates.size(); ++k) {
+            evaluator.value(root(candidates[k]), points.get(), d.data());
             if (solid)
-                take_minimum(d, candidate, count, best, winner);
+                take_minimum(d.data(), candidates[k], count, best, solid + start);
             else
-                take_minimum(d, count, best);
+                take_minimum(d.data(), count, best);
         }
-        std::copy_n(best.begin(), count, distance + start);
-        if (solid)
-            for (int i = 0; i < count; ++i) solid[start + i] = static_cast<int>(winner[static_cast<std::size_t>(i)]);
+        if (!is_whole) std::copy_n(best, count, distance + start);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
@@ -45,7 +46,7 @@ public:
 
     static constexpr int mixed = -1;
     /// The material that all of these solids are made of, or `mixed`.
-    int shared_by(const std::vector<int>& solids) const {
+    int shared_by(std::span<const int> solids) const {
         const int first = of_solid_[static_cast<std::size_t>(solids[0])];
         const bool same = std::all_of(solids.begin(), solids.end(),
                                       [&](int s) { return of_solid_[static_cast<std::size_t>(s)] == first; });
@@ -78,7 +79,8 @@ public:
         int size = leaf_tile;
         while (size < std::max(raster_.width, raster_.height)) size *= 2;
         values_.resize(all.size());
-        split({0, 0, size}, all);
+        kept_ = all;
+        split({0, 0, size}, 0);
     }
 
 private:
@@ -87,48 +89,59 @@ private:
                 raster_.window.hi.y() - (tile.y + 0.5 * tile.size) * pixel_.y()};
     }
 
-    /// The solids that can be nearest somewhere in the tile.
-    std::vector<int> survivors(const Tile& tile, const std::vector<int>& candidates) {
+    /// Appends to kept_, of the solids listed there from `first` on, those that can be nearest somewhere in the tile.
+    void keep_survivors(const Tile& tile, std::size_t first) {
         const Vec2 centre = centre_of(tile);
         const double reach = 0.5 * tile.size * length(pixel_);
+        const std::size_t last = kept_.size();
         double least = infinity;  // an upper bound of the union's value anywhere in the tile
-        std::size_t best = 0;
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            const Solid& solid = field_.solids[static_cast<std::size_t>(candidates[i])];
+        std::size_t best = first;
+        for (std::size_t i = first; i < last; ++i) {
+            const Solid& solid = field_.solids[static_cast<std::size_t>(kept_[i])];
             const Exactness& exactness = field_.ops[static_cast<std::size_t>(solid.root)].exactness;
             const double lipschitz = exactness.lipschitz;
             // The box bounds the solid, so its distance bounds an exact field from below: far ones need no evaluation.
             if (exactness.outside == Side::exact && solid.bounds.distance(centre) - reach > least) {
-                values_[i] = infinity;
+                values_[i - first] = infinity;
                 continue;
             }
             const double value = tree_value(field_, solid.root, centre);
-            values_[i] = value - lipschitz * reach;
+            values_[i - first] = value - lipschitz * reach;
             if (value + lipschitz * reach < least) least = value + lipschitz * reach, best = i;
         }
-        std::vector<int> kept;
-        for (std::size_t i = 0; i < candidates.size(); ++i) {
-            if (!(values_[i] <= least)) continue;
-            kept.push_back(candidates[i]);
-            if (i == best)
-                std::swap(kept.front(), kept.back());  // first in the tiles below too: prunes the rest unevaluated
-        }
-        return kept;
+        // The best comes first in the tiles below too: it prunes the rest there unevaluated.
+        if (last > first && values_[best - first] <= least) kept_.push_back(kept_[best]);
+        for (std::size_t i = first; i < last; ++i)
+            if (i != best && values_[i - first] <= least) kept_.push_back(kept_[i]);
     }
 
-    void split(const Tile& tile, const std::vector<int>& candidates) {
+    /// `first`: where the list of the tile's candidates begins in kept_, which ends with it.
+    void split(const Tile& tile, std::size_t first) {
         if (tile.x >= raster_.width || tile.y >= raster_.height) return;
-        const std::vector<int> kept = survivors(tile, candidates);
-        if (tile.size == leaf_tile) return sample(tile, kept);
-        const int half = tile.size / 2;
-        for (const int dy : {0, half})
-            for (const int dx : {0, half}) split({tile.x + dx, tile.y + dy, half}, kept);
+        const std::size_t mine = kept_.size();
+        keep_survivors(tile, first);
+        if (tile.size == leaf_tile) {
+            sample(tile, std::span(kept_).subspan(mine));
+        } else {
+            const int half = tile.size / 2;
+            for (const int dy : {0, half})
+                for (const int dx : {0, half}) split({tile.x + dx, tile.y + dy, half}, mine);
+        }
+        kept_.resize(mine);
     }
 
-    void sample(const Tile& tile, const std::vector<int>& candidates) {
-        const int w = std::min(leaf_tile, raster_.width - tile.x), h = std::min(leaf_tile, raster_.height - tile.y);
+    void sample(const Tile& tile, std::span<const int> candidates) {
+        const bool is_whole = tile.x + leaf_tile <= raster_.width && tile.y + leaf_tile <= raster_.height;
+        if (is_whole) return sample_part<true>(tile, candidates, leaf_tile, leaf_tile);
+        sample_part<false>(tile, candidates, std::min(leaf_tile, raster_.width - tile.x), std::min(leaf_tile, raster_.height - tile.y));
+    }
+
+    /// The w x h pixels of a leaf that lie in the picture; rows of known width are copied without a call each.
+    template <bool whole>
+    void sample_part(const Tile& tile, std::span<const int> candidates, int part_width, int part_height) {
+        const int w = whole ? leaf_tile : part_width, h = whole ? leaf_tile : part_height;
         for (int j = 0; j < h; ++j) {
-            std::copy_n(column_x_.begin() + tile.x, w, x_.begin() + j * w);
+            std::memcpy(x_.data() + j * w, column_x_.data() + tile.x, static_cast<std::size_t>(w) * sizeof(float));
             std::fill_n(y_.begin() + j * w, w,
                         static_cast<float>(raster_.window.hi.y() - (tile.y + j + 0.5) * pixel_.y()));
         }
@@ -138,7 +151,7 @@ private:
                          is_uniform ? nullptr : winner_.data(), isa_);
         for (int j = 0; j < h; ++j) {
             const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(tile.y + j) * raster_.width + tile.x;
-            std::copy_n(distance_.begin() + j * w, w, raster_.distance.begin() + to);
+            std::memcpy(raster_.distance.data() + to, distance_.data() + j * w, static_cast<std::size_t>(w) * sizeof(float));
             if (is_uniform)
                 std::fill_n(raster_.material.begin() + to, w, static_cast<std::int16_t>(uniform));
             else
@@ -160,6 +173,7 @@ private:
     Raster& raster_;
     Materials materials_;
     Vec2 pixel_;  // metres
+    std::vector<int> kept_;  // solids: the lists of the tiles on the way down, one behind the other
     std::vector<double> values_;
     std::vector<float> column_x_;
     std::array<float, leaf_tile * leaf_tile> x_, y_, distance_;

@@ -40,19 +40,13 @@ Real signed_distance_to_edge(const Point<Real>& p, const Point<double>& a, const
     return select(beyond > Real(0), select(q.y > Real(0), -corner, corner), -q.y);
 }
 
-/// Signed distance to the region that a closed chain of edges bounds (even-odd rule), exact on both sides as long as the
-/// edges meet at vertices only; `orientation` is +1 for counter-clockwise chains, -1 for clockwise ones. `xy` holds x0 y0 x1 y1 ...
-/// The nearest edge gives the size: along its line where the foot lies on it, so that points on the outline get the edge's outward
-/// normal as gradient, else to its first vertex (the other one belongs to the next edge). The parity of crossings to the
-/// right gives the sign. Coincident vertices and edges are harmless: a chain without interior has a distance above zero.
+/// What is known of the signed distance to a closed chain of edges while they are gone through one by one.
 template <class Real>
-Real distance_to_chain(const Point<Real>& p, const double* xy, int count, double orientation) {
+struct ChainDistance {
     Real nearest = Real(1e30), signed_nearest = Real(1e30);
-    auto inside = Real(0) < Real(0);
-    for (int i = 0; i < count; ++i) {
-        const int j = i + 1 == count ? 0 : i + 1;
-        const Point<double> a{xy[2 * i], xy[2 * i + 1]}, b{xy[2 * j], xy[2 * j + 1]};
-        const Edge e = edge_between(a, b);
+    decltype(Real(0) < Real(0)) inside = Real(0) < Real(0);
+
+    void meet(const Point<Real>& p, const Point<double>& a, const Point<double>& b, const Edge& e, double orientation) {
         const Point<Real> from_a{p.x - Real(a.x), p.y - Real(a.y)};
         const Point<Real> q = in_frame(from_a, e.tx, e.ty);
         const Real outward = q.y * Real(-orientation);
@@ -69,7 +63,33 @@ Real distance_to_chain(const Point<Real>& p, const double* xy, int count, double
         const auto crosses = both(straddles, solid_on_the_left ? on_solid_side : invert(on_solid_side));
         inside = exactly_one(inside, crosses);
     }
-    return select(nearest > Real(0), select(inside, -nearest, nearest), signed_nearest);
+    Real value() const { return select(nearest > Real(0), select(inside, -nearest, nearest), signed_nearest); }
+};
+
+/// Signed distances to the region that a closed chain of edges bounds (even-odd rule), exact on both sides as long as the
+/// edges meet at vertices only; `orientation` is +1 for counter-clockwise chains, -1 for clockwise ones. `xy` holds x0 y0 x1 y1 ...
+/// The nearest edge gives the size: along its line where the foot lies on it, so that points on the outline get the edge's outward
+/// normal as gradient, else to its first vertex (the other one belongs to the next edge). The parity of crossings to the
+/// right gives the sign. Coincident vertices and edges are harmless: a chain without interior has a distance above zero.
+/// Several points at once share the work on each edge.
+template <class Real, int K>
+void distances_to_chain(const Point<Real> (&p)[K], Real (&distance)[K], const double* xy, int count, double orientation) {
+    ChainDistance<Real> found[K];
+    for (int i = 0; i < count; ++i) {
+        const int j = i + 1 == count ? 0 : i + 1;
+        const Point<double> a{xy[2 * i], xy[2 * i + 1]}, b{xy[2 * j], xy[2 * j + 1]};
+        const Edge e = edge_between(a, b);
+        for (int k = 0; k < K; ++k) found[k].meet(p[k], a, b, e, orientation);
+    }
+    for (int k = 0; k < K; ++k) distance[k] = found[k].value();
+}
+
+template <class Real>
+Real distance_to_chain(const Point<Real>& p, const double* xy, int count, double orientation) {
+    const Point<Real> points[] = {p};
+    Real distance[1];
+    distances_to_chain(points, distance, xy, count, orientation);
+    return distance[0];
 }
 
 /// Twice the signed area of a closed chain: > 0 when counter-clockwise. Relative to its first vertex, against cancellation.

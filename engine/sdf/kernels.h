@@ -58,8 +58,14 @@ struct Warped {
     }
 };
 
-/// n values (any n >= 0; arrays need no padding) in local coordinates.
-using PacketDistance = void (*)(const double* params, const float* x, const float* y, float* distance, int n);
+/// From the points that a packet kernel is given to a shape's local frame, and back with the distance.
+struct PacketFrame {
+    float xx = 1, xy = 0, x0 = 0, yx = 0, yy = 1, y0 = 0;  ///< local x = xx x + xy y + x0, local y alike
+    float scale = 1;                                        ///< of the distances
+};
+
+/// n distances at the points x, y, seen through `frame` (any n >= 0; arrays need no padding).
+using PacketDistance = void (*)(const double* params, const PacketFrame& frame, const float* x, const float* y, float* distance, int n);
 /// a[i] = combine(a[i], b[i]); a modify kernel ignores b.
 using PacketCombine = void (*)(const double* params, float* a, const float* b, int n);
 

@@ -62,8 +62,8 @@ TEST_CASE("each law catches the fault it is for") {
     const NodeType& type = catalogue.add(disc);
     CHECK(complains(check(catalogue, type, 1), "the value alone is the value with its gradient"));
     static const sdf::PacketDistance sound = tampered.packets[0].distance;
-    tampered.packets[0].distance = [](const double* params, const float* x, const float* y, float* d, int n) {
-        sound(params, x, y, d, n);
+    tampered.packets[0].distance = [](const double* params, const sdf::PacketFrame& frame, const float* x, const float* y, float* d, int n) {
+        sound(params, frame, x, y, d, n);
         if (n == 7) d[6] += 1e-7f;  // in the tail only
     };
     CHECK(complains(check(catalogue, type, 1), "every instruction set gives the same bits"));

@@ -38,7 +38,7 @@ std::vector<float> run(const Subject& subject, sdf::Isa isa, const std::vector<f
     const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
     std::vector<float> out = a;
     const int n = static_cast<int>(a.size());
-    if (k.distance) k.distance(subject.params(), a.data(), b.data(), out.data(), n);
+    if (k.distance) k.distance(subject.params(), {}, a.data(), b.data(), out.data(), n);
     else if (k.combine) k.combine(subject.params(), out.data(), b.data(), n);
     else return {};
     return out;

@@ -22,6 +22,10 @@ struct Polygon {
     void derive() { orientation = doubled_area(points.xy, points.count) < 0 ? -1.0 : 1.0; }
 
     Real distance(const Point<Real>& p) const { return distance_to_chain(p, points.xy, points.count, orientation); }
+    template <int K>
+    void distances(const Point<Real> (&p)[K], Real (&out)[K]) const {
+        distances_to_chain(p, out, points.xy, points.count, orientation);
+    }
     Box2 bounds() const {
         Box2 box;
         for (int i = 0; i < points.count; ++i) box = box.including({points[i].x, points[i].y});

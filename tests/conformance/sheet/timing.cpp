@@ -83,7 +83,7 @@ std::optional<double> time_in_double(const Subject& subject, const Input& in) {
 std::optional<double> time_in_packets(const Subject& subject, const Input& in, sdf::Isa isa) {
     const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
     std::vector<float> a = in.float_a, b = in.float_b, out(count);
-    if (k.distance) return nanoseconds([&] { k.distance(subject.params(), a.data(), b.data(), out.data(), count); });
+    if (k.distance) return nanoseconds([&] { k.distance(subject.params(), {}, a.data(), b.data(), out.data(), count); });
     if (k.combine)
         return nanoseconds([&] {
             a = in.float_a;
