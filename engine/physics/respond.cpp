@@ -234,20 +234,38 @@ bool settle_in_wedge(WorldState& w, std::size_t i) {
     return false;
 }
 
-/// A slow ball on two surfaces between which gravity holds it comes to rest: alternating impulses alone would leave it creeping.
+/// How a surface treats a ball that is about to come to rest on it.
+struct Grip {
+    bool bounces = false;  ///< for ever: e = 1
+    bool rubs = false;     ///< slip dies on it
+};
+
+Grip grip_of(const WorldState& w, const Contact& c) {
+    if (w.options.restitution) return {*w.options.restitution >= 1, false};
+    const MaterialRecord& material = *surface_of(w, c).material;
+    return {material.restitution >= 1, material.friction > 0 && material.tangential < 1};
+}
+
+/// A slow ball on two surfaces between which gravity holds it comes to rest: alternating impulses alone would leave it creeping,
+/// and rolling up one side and down the other by nanometres.
 void rest_in_wedge(WorldState& w, std::size_t i) {
     Ball& ball = w.balls[i];
     const Vec2& g = w.physics.gravity;
     if (length(ball.velocity) > w.physics.rest_speed) return;
+    const bool spins = w.physics.ball_radius * std::fabs(ball.spin) > w.physics.rest_speed;
     for (std::size_t a = 0; a < w.contacts.size(); ++a)
         for (std::size_t b = a + 1; b < w.contacts.size(); ++b) {
             const Contact &first = w.contacts[a], &second = w.contacts[b];
-            if (!first.collapsed || !second.collapsed || first.mover >= 0 || second.mover >= 0) continue;
+            if (first.mover >= 0 || second.mover >= 0) continue;
             const double wedge = cross(first.normal, second.normal);
             if (std::fabs(wedge) < 1e-9) continue;
             const double on_first = -cross(g, second.normal) / wedge, on_second = -cross(first.normal, g) / wedge;
             if (on_first < 0 || on_second < 0) continue;
+            const Grip grips[] = {grip_of(w, first), grip_of(w, second)};
+            const bool rubs = grips[0].rubs || grips[1].rubs;
+            if (grips[0].bounces || grips[1].bounces || (rubs && spins)) continue;
             ball.velocity = {0, 0};
+            if (rubs) ball.spin = 0;
             return;
         }
 }

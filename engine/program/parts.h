@@ -36,7 +36,7 @@ struct Part {
 /// As Material (engine/scene/records.h), with the colour ready for drawing.
 struct MaterialRecord {
     std::string name;
-    double restitution = 0.3, falloff = 0, tangential = 1, friction = 0.3, scatter_degrees = 0;
+    double restitution = 0.3, falloff = 0, tangential = 0, friction = 0.3, scatter_degrees = 0;
     std::string color;  ///< the author's text; empty: the theme decides
 };
 

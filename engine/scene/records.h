@@ -59,7 +59,7 @@ struct PhysicsSettings {
 struct Material {
     double restitution = 0.3;
     double falloff = 0;
-    double tangential = 1;
+    double tangential = 0;
     double friction = 0.3;
     double scatter = 0;
     std::string color;

@@ -80,6 +80,23 @@ TEST_CASE("an oblique impact turns the contact point's velocity as restitution a
 }
 
 // Coulomb: |dv_t| <= mu (1 + e) |v_n|.
+// A disc whose slip v stops keeps 2/3 of it and spins with the wall (inertia m r^2 / 2: the slip yields three times as
+// easily as the centre).
+TEST_CASE("friction grips of itself: it slows and spins a ball that grazes a wall") {
+    const Vec2 v(0.5, -1);
+    World rough(hall("restitution: 0.5, friction: 100", "", 10, 10, "0")), smooth(hall("restitution: 0.5, friction: 0", "", 10, 10, "0"));
+    for (World* world : {&rough, &smooth}) {
+        world->add_ball({5, r + 0.01}, v);
+        for (int i = 0; i < 20; ++i) world->step();
+    }
+    const Ball &rolls = rough.balls()[0], &slips = smooth.balls()[0];
+    CHECK(rolls.velocity.x() == Approx(v.x() * 2 / 3).epsilon(1e-12));
+    CHECK(r * std::fabs(rolls.spin) == Approx(v.x() * 2 / 3).epsilon(1e-12));
+    CHECK(rolls.spin < 0);  // clockwise: along the floor to the right
+    CHECK(slips.velocity.x() == v.x());
+    CHECK(slips.spin == 0);
+}
+
 TEST_CASE("friction never takes more than the Coulomb cone allows") {
     World world(hall("restitution: 0.5, friction: 0.1, tangential: 0", "", 10, 10, "0"));
     world.add_ball({5, 0.5}, {4, -2});
@@ -97,7 +114,7 @@ TEST_CASE("restitution falls with the speed of the impact as e0 / (1 + k v)") {
 // Unfolding (mirror images of the table): the coordinate is a triangle wave of the straight path's.
 TEST_CASE("a rectangle billiard is the unfolded straight line") {
     const double width = 0.7, height = 0.4, gap = 0.5e-7;
-    World world(hall("restitution: 1", "", width, height, "0"));
+    World world(hall("restitution: 1, friction: 0", "", width, height, "0"));
     const Vec2 start(0.31, 0.17), v(1.7, 0.9);
     world.add_ball(start, v);
     for (int i = 0; i < 20000; ++i) world.step();
@@ -163,6 +180,7 @@ TEST_CASE("a resting ball does not change a bit") {
         for (int i = 0; i < 1000; ++i) {
             world.step();
             REQUIRE(world.balls()[0].position == first.position);
+            REQUIRE(world.balls()[0].spin == 0);
             REQUIRE(world.balls()[1].position == second.position);
         }
     }
