@@ -13,7 +13,10 @@
 namespace pinfield {
 namespace {
 
-constexpr int leaf_tile = 16;  // pixels
+constexpr int leaf_tile = 16;       // pixels
+constexpr int leaves_a_side = 4;    // whose centres are asked together, in packets
+constexpr int leaves = leaves_a_side * leaves_a_side;
+constexpr int clump_tile = leaves_a_side * leaf_tile;
 
 /// The material of a pixel whose solid is known: the same all over the solid, or told leaf by leaf where its leaves
 /// differ.
@@ -73,12 +76,13 @@ public:
         std::vector<int> all;
         for (std::size_t i = 0; i < field_.solids.size(); ++i)
             if (field_.solids[i].visible && (field_.solids[i].layers & layers)) all.push_back(static_cast<int>(i));
-        column_x_.clear();
-        for (int i = 0; i < raster_.width; ++i)
-            column_x_.push_back(static_cast<float>(raster_.window.lo.x() + (i + 0.5) * pixel_.x()));
-        int size = leaf_tile;
+        int size = clump_tile;
         while (size < std::max(raster_.width, raster_.height)) size *= 2;
+        column_x_.clear();
+        for (int i = 0; i < size; ++i)
+            column_x_.push_back(static_cast<float>(raster_.window.lo.x() + (i + 0.5) * pixel_.x()));
         values_.resize(all.size());
+        leaf_values_.resize(all.size());
         kept_ = all;
         split({0, 0, size}, 0);
     }
@@ -120,8 +124,8 @@ private:
         if (tile.x >= raster_.width || tile.y >= raster_.height) return;
         const std::size_t mine = kept_.size();
         keep_survivors(tile, first);
-        if (tile.size == leaf_tile) {
-            sample(tile, std::span(kept_).subspan(mine));
+        if (tile.size == clump_tile) {
+            sample_leaves(tile, std::span(kept_).subspan(mine));
         } else {
             const int half = tile.size / 2;
             for (const int dy : {0, half})
@@ -130,41 +134,78 @@ private:
         kept_.resize(mine);
     }
 
-    void sample(const Tile& tile, std::span<const int> candidates) {
-        const bool is_whole = tile.x + leaf_tile <= raster_.width && tile.y + leaf_tile <= raster_.height;
-        if (is_whole) return sample_part<true>(tile, candidates, leaf_tile, leaf_tile);
-        sample_part<false>(tile, candidates, std::min(leaf_tile, raster_.width - tile.x), std::min(leaf_tile, raster_.height - tile.y));
+    /// Prunes once more for every leaf of a clump, by values at the leaves' centres, and samples them.
+    void sample_leaves(const Tile& clump, std::span<const int> candidates) {
+        std::array<float, leaves> x, y, least;
+        std::array<Tile, leaves> tiles;
+        for (int k = 0; k < leaves; ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            tiles[i] = {clump.x + k % leaves_a_side * leaf_tile, clump.y + k / leaves_a_side * leaf_tile, leaf_tile};
+            const Vec2 centre = centre_of(tiles[i]);
+            x[i] = static_cast<float>(centre.x());
+            y[i] = static_cast<float>(centre.y());
+        }
+        // A packet's value is a float's: it may err by some roundings of the coordinates, and of itself.
+        const double far = std::max(length(raster_.window.lo), length(raster_.window.hi));
+        const double reach = 0.5 * leaf_tile * length(pixel_), doubt = 1e-5 * far + 1e-3 * reach;
+        least.fill(std::numeric_limits<float>::infinity());
+        for (std::size_t c = 0; c < candidates.size(); ++c) {
+            auto& low = leaf_values_[c];
+            evaluate_packets(field_, candidates.subspan(c, 1), x.data(), y.data(), leaves, low.data(), nullptr, isa_);
+            const Solid& solid = field_.solids[static_cast<std::size_t>(candidates[c])];
+            const double lipschitz = field_.ops[static_cast<std::size_t>(solid.root)].exactness.lipschitz;
+            const auto margin = static_cast<float>(lipschitz * reach + doubt);
+            for (std::size_t k = 0; k < leaves; ++k) {
+                least[k] = std::min(least[k], low[k] + margin);
+                low[k] -= margin;
+            }
+        }
+        for (std::size_t k = 0; k < leaves; ++k) {
+            if (tiles[k].x >= raster_.width || tiles[k].y >= raster_.height) continue;
+            near_leaf_.clear();
+            for (std::size_t c = 0; c < candidates.size(); ++c)
+                if (leaf_values_[c][k] <= least[k]) near_leaf_.push_back(candidates[c]);
+            sample(tiles[k], k / leaves_a_side * leaf_tile * clump_tile + k % leaves_a_side * leaf_tile, near_leaf_);
+        }
+        write_clump(clump);
     }
 
-    /// The w x h pixels of a leaf that lie in the picture; rows of known width are copied without a call each.
-    template <bool whole>
-    void sample_part(const Tile& tile, std::span<const int> candidates, int part_width, int part_height) {
-        const int w = whole ? leaf_tile : part_width, h = whole ? leaf_tile : part_height;
-        for (int j = 0; j < h; ++j) {
-            std::memcpy(x_.data() + j * w, column_x_.data() + tile.x, static_cast<std::size_t>(w) * sizeof(float));
-            std::fill_n(y_.begin() + j * w, w,
-                        static_cast<float>(raster_.window.hi.y() - (tile.y + j + 0.5) * pixel_.y()));
+    /// `at`: where the leaf's first pixel stands in the clump's. Pixels beyond the picture's edges are sampled too.
+    void sample(const Tile& leaf, std::size_t at, std::span<const int> candidates) {
+        for (int j = 0; j < leaf_tile; ++j) {
+            std::memcpy(x_.data() + j * leaf_tile, column_x_.data() + leaf.x, leaf_tile * sizeof(float));
+            std::fill_n(y_.begin() + j * leaf_tile, leaf_tile,
+                        static_cast<float>(raster_.window.hi.y() - (leaf.y + j + 0.5) * pixel_.y()));
         }
         const int uniform = candidates.empty() ? -1 : materials_.shared_by(candidates);
         const bool is_uniform = uniform != Materials::mixed || candidates.empty();
-        evaluate_packets(field_, candidates, x_.data(), y_.data(), w * h, distance_.data(),
+        evaluate_packets(field_, candidates, x_.data(), y_.data(), leaf_tile * leaf_tile, distance_.data(),
                          is_uniform ? nullptr : winner_.data(), isa_);
-        for (int j = 0; j < h; ++j) {
-            const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(tile.y + j) * raster_.width + tile.x;
-            std::memcpy(raster_.distance.data() + to, distance_.data() + j * w, static_cast<std::size_t>(w) * sizeof(float));
+        for (std::size_t j = 0; j < leaf_tile; ++j) {
+            std::memcpy(clump_distance_.data() + at + j * clump_tile, distance_.data() + j * leaf_tile, leaf_tile * sizeof(float));
+            std::int16_t* material = clump_material_.data() + at + j * clump_tile;
             if (is_uniform)
-                std::fill_n(raster_.material.begin() + to, w, static_cast<std::int16_t>(uniform));
+                std::fill_n(material, leaf_tile, static_cast<std::int16_t>(uniform));
             else
-                write_materials(j * w, w, raster_.material.begin() + to);
+                write_materials(j * leaf_tile, material);
         }
     }
 
-    void write_materials(int first, int count, std::vector<std::int16_t>::iterator to) const {
+    void write_materials(std::size_t first, std::int16_t* to) const {
         const double near = 2 * length(pixel_);
-        for (int n = first; n < first + count; ++n, ++to) {
-            const auto k = static_cast<std::size_t>(n);
+        for (std::size_t k = first; k < first + leaf_tile; ++k) {
             const Vec2 p(static_cast<double>(x_[k]), static_cast<double>(y_[k]));
-            *to = materials_.at(winner_[k], p, static_cast<double>(distance_[k]) < near);
+            *to++ = materials_.at(winner_[k], p, static_cast<double>(distance_[k]) < near);
+        }
+    }
+
+    /// Into the picture: whole stretches of its rows at once, which lie kilobytes apart.
+    void write_clump(const Tile& clump) {
+        const int w = std::min(clump_tile, raster_.width - clump.x), h = std::min(clump_tile, raster_.height - clump.y);
+        for (int j = 0; j < h; ++j) {
+            const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(clump.y + j) * raster_.width + clump.x;
+            std::copy_n(clump_distance_.begin() + j * clump_tile, w, raster_.distance.begin() + to);
+            std::copy_n(clump_material_.begin() + j * clump_tile, w, raster_.material.begin() + to);
         }
     }
 
@@ -175,9 +216,13 @@ private:
     Vec2 pixel_;  // metres
     std::vector<int> kept_;  // solids: the lists of the tiles on the way down, one behind the other
     std::vector<double> values_;
+    std::vector<std::array<float, leaves>> leaf_values_;
+    std::vector<int> near_leaf_;
     std::vector<float> column_x_;
     std::array<float, leaf_tile * leaf_tile> x_, y_, distance_;
     std::array<int, leaf_tile * leaf_tile> winner_;
+    std::array<float, clump_tile * clump_tile> clump_distance_;
+    std::array<std::int16_t, clump_tile * clump_tile> clump_material_;
 };
 
 }  // namespace

@@ -21,36 +21,46 @@ Real shape_distance(const T& node, const double* params, const Point<Real>& p) {
 }
 
 /// Packets that a shape takes at once, where that spares it work.
-inline constexpr int packet_group = 4;
+inline constexpr int packet_group = 8;
 
 template <class T, class P>
 concept TakesGroups = requires(const T& node, const Point<P> (&p)[packet_group], P (&out)[packet_group]) { node.distances(p, out); };
 
+/// A PacketFrame in packets: by value, as the compiler must fear that storing distances changes floats it knows by reference.
 template <class P>
-Point<P> in_local_frame(const PacketFrame& f, const P& x, const P& y) {
-    return {P(f.xx) * x + P(f.xy) * y + P(f.x0), P(f.yx) * x + P(f.yy) * y + P(f.y0)};
-}
+struct LocalFrame {
+    P xx, xy, x0, yx, yy, y0, scale;
+
+    explicit LocalFrame(const PacketFrame& f)
+        : xx(f.xx), xy(f.xy), x0(f.x0), yx(f.yx), yy(f.yy), y0(f.y0), scale(f.scale) {}
+    Point<P> point(const float* x, const float* y) const {
+        const P px = P::load(x), py = P::load(y);
+        return {xx * px + xy * py + x0, yx * px + yy * py + y0};
+    }
+};
 
 template <class T, class P>
 void packet_distance(const double* params, const PacketFrame& frame, const float* x, const float* y, float* distance, int n) {
     const T node = load<T>(params);
-    const auto point = [&](int i) { return in_local_frame(frame, P::load(x + i), P::load(y + i)); };
-    const auto store = [&](const P& d, float* to) { (P(frame.scale) * d).store(to); };
+    const LocalFrame<P> local(frame);
     int i = 0;
     if constexpr (TakesGroups<T, P>) {
         for (; i + packet_group * P::width <= n; i += packet_group * P::width) {
             Point<P> p[packet_group];
             P d[packet_group];
-            for (int k = 0; k < packet_group; ++k) p[k] = point(i + k * P::width);
+            for (int k = 0; k < packet_group; ++k) p[k] = local.point(x + i + k * P::width, y + i + k * P::width);
             node.distances(p, d);
-            for (int k = 0; k < packet_group; ++k) store(d[k], distance + i + k * P::width);
+            for (int k = 0; k < packet_group; ++k) (local.scale * d[k]).store(distance + i + k * P::width);
         }
     }
-    for (; i + P::width <= n; i += P::width) store(shape_distance<T, P>(node, params, point(i)), distance + i);
+    const auto one = [&](const float* at_x, const float* at_y, float* to) {
+        (local.scale * shape_distance<T, P>(node, params, local.point(at_x, at_y))).store(to);
+    };
+    for (; i + P::width <= n; i += P::width) one(x + i, y + i, distance + i);
     if (i == n) return;
     float tail_x[P::width] = {}, tail_y[P::width] = {}, tail[P::width];
     for (int j = 0; i + j < n; ++j) tail_x[j] = x[i + j], tail_y[j] = y[i + j];
-    store(shape_distance<T, P>(node, params, in_local_frame(frame, P::load(tail_x), P::load(tail_y))), tail);
+    one(tail_x, tail_y, tail);
     for (int j = 0; i + j < n; ++j) distance[i + j] = tail[j];
 }
 
