@@ -153,7 +153,7 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
     if (body.kind != YamlKind::map && !body.is_empty())
         return context.report(Code::wrong_shape, body.span, fmt::format("the fields of {} are due here", key.text),
                               fmt::format("write {}: {{...}}", key.text));
-    for (std::size_t i = 0; i < body.entries(); ++i) {
+    for (std::size_t i = 0; i < body.entries() && !context.full(); ++i) {
         const YamlNode& field_key = body.key(i);
         const YamlNode& value = body.value(i).resolved();
         if (!is_plain_key(field_key)) continue;
@@ -182,7 +182,10 @@ void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNod
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
         return context.report(Code::too_many_nodes, beyond->span,
                               fmt::format("more than {} nodes", context.limits.nodes));
-    for (const YamlNode* item : list.items) read_node(context, scene, parent, item->resolved());
+    for (const YamlNode* item : list.items) {
+        if (context.full()) return;
+        read_node(context, scene, parent, item->resolved());
+    }
 }
 
 }  // namespace pinfield

@@ -126,7 +126,10 @@ Script read_script(const SourceText& source, const Limits& limits) {
                        "begin each step with a dash");
         return script;
     }
-    for (const YamlNode* item : tree.root->items) read_step(context, script, item->resolved());
+    for (const YamlNode* item : tree.root->items) {
+        if (context.full()) break;
+        read_step(context, script, item->resolved());
+    }
     return script;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "engine/core/error_codes.h"
 
@@ -76,29 +77,30 @@ void check_tabs(std::string_view text, Diagnostics& out) {
 }
 
 /// The parser keeps every open bracket in a queue before it says a word about it: megabytes of them cost a gigabyte.
-/// And it copies a scalar of megabytes before its length can be judged. A comma between brackets, a colon with a blank
-/// and a dash that begins a line are at least one event each, unless a text or a comment holds them; a table has no
-/// million of those, and the parser would take more than a second to say so.
+/// And it copies a scalar of megabytes before its length can be judged. A comma of a list and a dash that begins a
+/// line are an event, a colon with a blank is two, unless a text or a comment holds them; whoever writes more than the
+/// limit of those is told so before the parser has spent its third of a second on them.
 std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limits) {
     const std::size_t most_open = 16 * limits.depth;
     std::array<bool, 256> ends_word{};
     for (const char c : std::string_view(" \n,[]{}:\"'#")) ends_word[static_cast<unsigned char>(c)] = true;
-    std::size_t open = 0, run = 0, separators = 0;
+    std::string open;  // brackets
+    std::size_t run = 0, separators = 0;
     bool line_begins = true;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         ++run;
-        if (c == '[' || c == '{') ++open;
-        if ((c == ']' || c == '}') && open > 0) --open;
-        if (open > most_open)
+        if (c == '[' || c == '{') open.push_back(c);
+        if ((c == ']' || c == '}') && !open.empty()) open.pop_back();
+        if (open.size() > most_open)
             return diagnose(Code::too_deep, {i, i + 1}, fmt::format("more than {} brackets are open here", most_open),
                             fmt::format("at most {} levels may nest", limits.depth));
         const bool blank_follows =
             i + 1 == text.size() || text[i + 1] == ' ' || text[i + 1] == '\n' || text[i + 1] == '\r';
-        const bool separates =
-            (c == ',' && open > 0) || (c == ':' && blank_follows) || (c == '-' && line_begins && blank_follows);
+        if (c == ':' && blank_follows) separators += 2;
+        if ((c == ',' && open.ends_with('[')) || (c == '-' && line_begins && blank_follows)) ++separators;
         line_begins = c == '\n' || (line_begins && (c == ' ' || c == '-'));
-        if (separates && ++separators > limits.events)
+        if (separators > limits.events)
             return diagnose(Code::too_many_events, {i, i + 1}, fmt::format("more than {} YAML events", limits.events));
         if (ends_word[static_cast<unsigned char>(c)]) run = 0;
         if (run > limits.scalar_bytes)

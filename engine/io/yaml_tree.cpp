@@ -265,15 +265,21 @@ private:
 
     void check_key(const YamlNode& key) {
         if (key.kind != YamlKind::scalar) {
-            report(Code::bad_key, key.span.begin, "a key is a plain word");
+            report_key(Code::bad_key, key, "a key is a plain word");
             return;
         }
         if (key.text == "<<" && key.style == YamlStyle::plain)
-            report(Code::merge_key, key.span.begin, "the merge key << is not part of the format",
-                   "write the fields out");
-        else if (!keys_.back().insert(key.text).second && tree_.diagnostics.size() < limits_.errors)
-            report(Code::duplicate_key, key.span.begin, fmt::format("{} is said twice here", key.text),
-                   "remove one of the two");
+            report_key(Code::merge_key, key, "the merge key << is not part of the format",
+                       "write the fields out");
+        else if (!keys_.back().insert(key.text).second)
+            report_key(Code::duplicate_key, key, fmt::format("{} is said twice here", key.text),
+                       "remove one of the two");
+    }
+
+    void report_key(Code code, const YamlNode& key, std::string message, std::string hint = {}) {
+        if (tree_.diagnostics.size() >= limits_.errors)
+            stop(Code::too_many_errors, key.span.begin, std::string(more_errors_follow));
+        report(code, key.span.begin, std::move(message), std::move(hint));
     }
 
     void open(YamlKind kind, const YAML::Mark& mark, YAML::anchor_t anchor, YamlStyle style) {
