@@ -157,6 +157,9 @@ Diagnostics check_text(const SourceText& source, const Limits& limits) {
     if (text.size() > limits.file_bytes)
         return {diagnose(Code::file_too_large, {0, 0},
                          fmt::format("the file has {} bytes; at most {} are read", text.size(), limits.file_bytes))};
+    // Before UTF-16, whose mark is the beginning of this one's.
+    if (text.starts_with(std::string_view("\xFF\xFE\0\0", 4)) || text.starts_with(std::string_view("\0\0\xFE\xFF", 4)))
+        return {diagnose(Code::not_utf8, {0, 4}, "the file is UTF-32", "save it as UTF-8")};
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         return {diagnose(Code::not_utf8, {0, 2}, "the file is UTF-16", "save it as UTF-8")};
     if (auto found = check_characters(text)) return {*found};
@@ -230,6 +233,19 @@ std::size_t null_word(std::string_view text, std::size_t at) {
     const bool follows =
         before > byte_order_mark(text) && std::string_view("-:,[{?").find(text[before - 1]) != std::string_view::npos;
     return follows ? length : 0;
+}
+
+Span value_with_colon(std::string_view text, std::size_t at) {
+    constexpr std::string_view ends = ",[]{}\"'#\r\n";  // of an entry that is nothing but words
+    at = std::min(at, text.size());
+    const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_of(ends, at - 1);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1, stop = std::min(text.find_first_of(ends, at), text.size());
+    const std::string_view entry = text.substr(begin, stop - begin);
+    const std::size_t colon = entry.find(": ");
+    if (colon == std::string_view::npos) return {at, at};
+    const std::size_t value = skip_spaces(text, begin + colon + 1), last = text.find_last_not_of(" \t", stop - 1);
+    const bool second = text.substr(value, stop - value).find(": ") != std::string_view::npos;
+    return second ? Span{value, last + 1} : Span{at, at};
 }
 
 std::optional<std::size_t> color_in_comment(std::string_view text, std::size_t begin, std::size_t end) {

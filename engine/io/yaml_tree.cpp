@@ -201,6 +201,11 @@ private:
     }
 
     void explain_unclosed(std::size_t place) {
+        if (const Span span = value_with_colon(text_, place); span.begin < span.end) {
+            const std::string_view value = text_.substr(span.begin, std::min<std::size_t>(span.end - span.begin, 60));
+            return report(Code::yaml_syntax, span.begin, fmt::format("a second colon in one entry: {}", value),
+                          fmt::format("quote a text that holds a colon and a blank: \"{}\"", value));
+        }
         std::size_t begin = place;
         for (auto it = open_.rbegin(); it != open_.rend() && begin == place; ++it)
             if (it->node->style == YamlStyle::flow) begin = it->node->span.begin;
