@@ -70,6 +70,7 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
     const NodeType& type = *node.type;
     const ChildCount allowed = type.meta.children;
     if (list) read_nodes(context, scene, node.id, *list);
+    if (list && list->kind != YamlKind::sequence && !list->is_empty()) return;  // has been told of
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
     if (count >= allowed.min && count <= allowed.max && (allowed.max > 0 || !list)) return;
     const std::string wanted = allowed.max == 0 ? "no children"
@@ -120,7 +121,24 @@ const YamlNode* first_node_beyond(const YamlNode& list, std::size_t& left) {
     return nullptr;
 }
 
-void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& item) {
+/// An alias of a key, where a node or its fields are due: the anchor stands before the first word of what it was to
+/// name. The author must see both places, and one of them is wrong: told at the alias, which cannot be right.
+bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
+    if (!written.target || written.target->kind != YamlKind::scalar || !written.target->parent) return false;
+    const YamlNode& key = *written.target;
+    const std::vector<YamlNode*>& entries = key.parent->items;
+    const auto at = std::find(entries.begin(), entries.end(), &key) - entries.begin();
+    if (key.parent->kind != YamlKind::map || at % 2 != 0) return false;
+    const int line = context.source.place(key.span.begin).line;
+    context.report(Code::wrong_shape, written.span,
+                   fmt::format("*{} is only the word {}: in line {} its anchor stands before a key", written.text, key.text, line),
+                   fmt::format("write - &{} {{{}: ...}}, or &{} alone in the line of the dash", written.text, key.text, written.text));
+    return true;
+}
+
+void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& written) {
+    if (report_alias_of_key(context, written)) return;
+    const YamlNode& item = written.resolved();
     if (item.kind != YamlKind::map || item.entries() != 1) return report_no_node(context, item);
     const YamlNode& key = item.key(0);
     const YamlNode& body = item.value(0).resolved();
@@ -184,7 +202,7 @@ void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNod
                               fmt::format("more than {} nodes", context.limits.nodes));
     for (const YamlNode* item : list.items) {
         if (context.full()) return;
-        read_node(context, scene, parent, item->resolved());
+        read_node(context, scene, parent, *item);
     }
 }
 
