@@ -90,7 +90,8 @@ void eval(const Options& options) {
     for (const CsvRecord& record : records) {
         const Vec2 p(value_or_stop(csv_number(options.points, record, 0)), value_or_stop(csv_number(options.points, record, 1)));
         if (!(std::fabs(p.x()) <= farthest && std::fabs(p.y()) <= farthest))
-            throw Stop{Exit::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points, record.line, farthest)};
+            throw Stop{Exit::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points,
+                                                 record.line, farthest)};
         const auto& [found, node] = answer_at(sources, p);
         out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), found.distance, found.gradient.x(),
                               found.gradient.y(), found.leaf < 0 ? "" : name_of(table.scene, node), found.certified));

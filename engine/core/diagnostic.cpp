@@ -19,19 +19,21 @@ bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0x
 
 /// The byte `count` characters after (before) `at`, as far as the line goes.
 std::size_t after(std::string_view line, std::size_t at, int count) {
-    while (at < line.size() && count-- > 0)
-        do ++at;
+    while (at < line.size() && count-- > 0) do
+            ++at;
         while (at < line.size() && !starts_character(line[at]));
     return at;
 }
 std::size_t before(std::string_view line, std::size_t at, int count) {
-    while (at > 0 && count-- > 0)
-        do --at;
+    while (at > 0 && count-- > 0) do
+            --at;
         while (at > 0 && !starts_character(line[at]));
     return at;
 }
 
-int characters(std::string_view text) { return static_cast<int>(std::count_if(text.begin(), text.end(), starts_character)); }
+int characters(std::string_view text) {
+    return static_cast<int>(std::count_if(text.begin(), text.end(), starts_character));
+}
 
 /// A whole line, or, of one that no terminal shows whole, what is about the byte `at`: only that is looked at, as a
 /// hostile file has a line of megabytes and a hundred findings in it.
@@ -40,7 +42,8 @@ Excerpt excerpt_of(std::string_view line, std::size_t at, int column) {
     if (after(line, 0, longest) == line.size()) return {std::string(line), column - 1};
     const std::size_t first = before(line, at, about), last = after(line, at, about);
     const std::string left = first > 0 ? "..." : "", right = last < line.size() ? "..." : "";
-    return {left + std::string(line.substr(first, last - first)) + right, static_cast<int>(left.size()) + characters(line.substr(first, at - first))};
+    return {left + std::string(line.substr(first, last - first)) + right,
+            static_cast<int>(left.size()) + characters(line.substr(first, at - first))};
 }
 
 }  // namespace

@@ -121,8 +121,8 @@ const YamlNode* first_node_beyond(const YamlNode& list, std::size_t& left) {
     return nullptr;
 }
 
-/// An alias of a key, where a node or its fields are due: the anchor stands before the first word of what it was to
-/// name. The author must see both places, and one of them is wrong: told at the alias, which cannot be right.
+/// An alias of a key where a node is due: its anchor stands before the first word of what it was to name. Told at the
+/// alias, as the anchor alone would be no error, with the line where the author must act.
 bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
     if (!written.target || written.target->kind != YamlKind::scalar || !written.target->parent) return false;
     const YamlNode& key = *written.target;
@@ -130,9 +130,11 @@ bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
     const auto at = std::find(entries.begin(), entries.end(), &key) - entries.begin();
     if (key.parent->kind != YamlKind::map || at % 2 != 0) return false;
     const int line = context.source.place(key.span.begin).line;
-    context.report(Code::wrong_shape, written.span,
-                   fmt::format("*{} is only the word {}: in line {} its anchor stands before a key", written.text, key.text, line),
-                   fmt::format("write - &{} {{{}: ...}}, or &{} alone in the line of the dash", written.text, key.text, written.text));
+    context.report(
+        Code::wrong_shape, written.span,
+        fmt::format("*{} is only the word {}: in line {} its anchor stands before a key", written.text, key.text, line),
+        fmt::format("write - &{} {{{}: ...}}, or &{} alone in the line of the dash", written.text, key.text,
+                    written.text));
     return true;
 }
 

@@ -160,7 +160,8 @@ void read_test(ReadContext& context, Scene& scene, const Quantities& known, cons
             const auto run = read_value(context, number_field("run", Unit::second, above(0), to(3600)), value);
             if (run) test.run = std::get<double>(*run);
         } else {
-            each(context, value, [&](const YamlNode& expectation) { read_expectation(context, known, test, expectation); });
+            each(context, value,
+                 [&](const YamlNode& expectation) { read_expectation(context, known, test, expectation); });
         }
     });
     if (!node.find("expect")) context.report(Code::missing_field, node.span, "a test needs expect");

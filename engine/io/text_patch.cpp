@@ -165,7 +165,8 @@ void count_spellings(const SourceText& source, const Node& node, Unit unit, Spel
             const std::size_t length = std::min(text.find_first_of(between), text.size());
             const QuantityResult read = read_quantity(text.substr(0, length), unit);
             // Nought is the same in every unit, and nobody writes one with it.
-            if (read && (read->value != 0 || read->suffix)) ++counts[read->suffix ? std::string(read->suffix->text) : ""];
+            if (read && (read->value != 0 || read->suffix))
+                ++counts[read->suffix ? std::string(read->suffix->text) : ""];
             text.remove_prefix(std::min(length + 1, text.size()));
         }
     }
@@ -179,7 +180,8 @@ std::string customary_number(const SourceText& source, const Scene& scene, const
     count_spellings(source, node, unit, counts);
     if (counts.empty())
         for (const NodeId id : scene.all()) count_spellings(source, *scene.find(id), unit, counts);
-    const auto most = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
     return most == counts.end() || most->first.empty() ? std::string() : "1" + most->first;
 }
 
@@ -198,7 +200,8 @@ TextPatch new_section(const std::string& text, const YamlNode& root, const Node&
     return insert_entry(text, root, index, fmt::format("{}: {{{}}}", record.type->key(), entry));
 }
 
-Result<TextPatch> unverified_patch(const SourceText& source, const YamlTree& tree, const Scene& scene, const Node& node, const Edit& edit) {
+Result<TextPatch> unverified_patch(const SourceText& source, const YamlTree& tree, const Scene& scene, const Node& node,
+                                   const Edit& edit) {
     const std::string& text = source.text();
     const auto slot_index = static_cast<std::size_t>(edit.field);
     const FieldType& field = node.type->fields[slot_index];

@@ -85,7 +85,9 @@ std::string write_scalar_like(const FieldType& field, const Value& value, const 
 
 std::string write_value(const FieldType& field, const Value& value, std::string_view like) {
     const auto number_text = [&](double number) { return write_quantity(number, field.meta.unit, like); };
-    const auto pair_text = [&](const Vec2& v) { return fmt::format("[{}, {}]", number_text(v.x()), number_text(v.y())); };
+    const auto pair_text = [&](const Vec2& v) {
+        return fmt::format("[{}, {}]", number_text(v.x()), number_text(v.y()));
+    };
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
     if (const double* number = std::get_if<double>(&value)) return number_text(*number);

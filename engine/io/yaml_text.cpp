@@ -239,7 +239,8 @@ Span value_with_colon(std::string_view text, std::size_t at) {
     constexpr std::string_view ends = ",[]{}\"'#\r\n";  // of an entry that is nothing but words
     at = std::min(at, text.size());
     const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_of(ends, at - 1);
-    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1, stop = std::min(text.find_first_of(ends, at), text.size());
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1,
+                      stop = std::min(text.find_first_of(ends, at), text.size());
     const std::string_view entry = text.substr(begin, stop - begin);
     const std::size_t colon = entry.find(": ");
     if (colon == std::string_view::npos) return {at, at};

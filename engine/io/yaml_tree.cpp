@@ -274,8 +274,7 @@ private:
             return;
         }
         if (key.text == "<<" && key.style == YamlStyle::plain)
-            report_key(Code::merge_key, key, "the merge key << is not part of the format",
-                       "write the fields out");
+            report_key(Code::merge_key, key, "the merge key << is not part of the format", "write the fields out");
         else if (!keys_.back().insert(key.text).second)
             report_key(Code::duplicate_key, key, fmt::format("{} is said twice here", key.text),
                        "remove one of the two");

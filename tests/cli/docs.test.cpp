@@ -43,7 +43,8 @@ TEST_CASE("the README's first table has at most ten lines, is right, and plays")
 }
 
 TEST_CASE("the README's simulation says what the command prints, but for the time it took") {
-    const std::vector<std::string> shown = lines_of(block_after(slurp(fs::path(pinfield::test::source_dir()) / "README.md"), "## The command", "```console"));
+    const std::vector<std::string> shown = lines_of(
+        block_after(slurp(fs::path(pinfield::test::source_dir()) / "README.md"), "## The command", "```console"));
     const std::string prompt = "$ pinfield ";
     REQUIRE(shown.size() > 2);
     REQUIRE(shown[0].starts_with(prompt));

@@ -84,7 +84,8 @@ TEST_CASE("plain anchors and aliases work, and an error in what they share is to
 }
 
 TEST_CASE("an alias whose anchor stands before a key is told at the alias, with what to write") {
-    const ReadResult result = read("pinfield: 1\nscene:\n  - &whole union:\n      children: [circle: {}]\n  - *whole\n");
+    const ReadResult result =
+        read("pinfield: 1\nscene:\n  - &whole union:\n      children: [circle: {}]\n  - *whole\n");
     CHECK(codes_and_places(result) == std::vector<std::string>{"E0201 5:5"});
     CHECK(result.diagnostics[0].message == "*whole is only the word union: in line 3 its anchor stands before a key");
     CHECK(read("pinfield: 1\nscene:\n  - &whole\n    union:\n      children: [circle: {}]\n  - *whole\n").ok());
