@@ -47,15 +47,16 @@ float distance_at(vec2 p) { return texture(distances, p).r; }
 
 vec4 lines(float d) {
     float ppm = pixels_per_metre;
-    vec3 free_near = vec3(0.13, 0.25, 0.36), free_far = vec3(0.055, 0.085, 0.13);
-    vec3 solid_near = vec3(0.47, 0.31, 0.14), solid_far = vec3(0.17, 0.12, 0.08);
+    // As `pinfield render --mode isolines` and the pages of docs/nodes have it: solids blue, free space like sand.
+    vec3 free_near = vec3(0.47, 0.31, 0.14), free_far = vec3(0.17, 0.12, 0.08);
+    vec3 solid_near = vec3(0.13, 0.25, 0.36), solid_far = vec3(0.055, 0.085, 0.13);
     float fade = 1.0 - exp(-abs(d) / 0.045);
     vec3 c = d > 0.0 ? mix(free_near, free_far, fade) : mix(solid_near, solid_far, fade);
     float s = d / spacing;
     float to_line = abs(s - floor(s + 0.5)) * spacing * ppm;
     float tenth = s / 5.0;
     float to_fifth = abs(tenth - floor(tenth + 0.5)) * 5.0 * spacing * ppm;
-    vec3 ink = d > 0.0 ? vec3(0.46, 0.74, 0.93) : vec3(0.98, 0.72, 0.36);
+    vec3 ink = d > 0.0 ? vec3(0.98, 0.72, 0.36) : vec3(0.46, 0.74, 0.93);
     c = mix(c, ink, 0.26 * (1.0 - smoothstep(0.3, 1.1, to_line)));
     c = mix(c, ink, 0.34 * (1.0 - smoothstep(0.4, 1.3, to_fifth)));
     c = mix(c, vec3(0.97, 0.96, 0.93), 1.0 - smoothstep(0.7, 1.7, abs(d) * ppm));

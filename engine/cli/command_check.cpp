@@ -41,6 +41,7 @@ struct Note {
 
 std::vector<Note> notes_of(const Program& program, const Scene& scene) {
     const std::map<NodeId, Trust> trusts = trusts_of(program);
+    const std::map<NodeId, std::string> paths = scene.paths();
     std::vector<Note> notes;
     for (const NodeId id : scene.all()) {
         const auto trust = trusts.find(id);
@@ -48,7 +49,7 @@ std::vector<Note> notes_of(const Program& program, const Scene& scene) {
         const Node& node = *scene.find(id);
         int depth = 0;
         for (NodeId above = node.parent; above && trusts.count(above) > 0; above = scene.find(above)->parent) ++depth;
-        notes.push_back({node.key, scene.path(id), depth, trust->second});
+        notes.push_back({node.key, paths.at(id), depth, trust->second});
     }
     return notes;
 }
@@ -90,13 +91,13 @@ struct Findings {
     std::vector<Note> notes;
 };
 
-Findings findings_of(const LoadedTable& loaded) {
+Findings findings_of(const LoadedTable& loaded, bool with_notes) {
     Findings out{loaded.diagnostics, {}};
     if (!loaded.ok()) return out;
     const auto program = compile(loaded.scene);
     const Diagnostics more = program ? warnings_of(**program, loaded.scene) : program.error();
     out.diagnostics.insert(out.diagnostics.end(), more.begin(), more.end());
-    if (program) out.notes = notes_of(**program, loaded.scene);
+    if (program && with_notes) out.notes = notes_of(**program, loaded.scene);
     return out;
 }
 
@@ -111,8 +112,7 @@ Exit check(const Options& options) {
             exit = Exit::failed;
             continue;
         }
-        Findings found = findings_of(*loaded);
-        if (!options.verbose) found.notes.clear();
+        const Findings found = findings_of(*loaded, options.verbose);
         if (has_errors(found.diagnostics) && exit == Exit::fine) exit = Exit::wrong;
         if (!options.json) print(text_of(found.diagnostics, *loaded->source) + lines_of(found.notes, *loaded->source));
         for (const Diagnostic& diagnostic : found.diagnostics) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 
 #include "engine/cli/command.h"
 #include "engine/cli/csv.h"
@@ -18,6 +19,9 @@ struct Options {
     std::string file, points, out;
     bool shapes_only = false;
 };
+
+/// Of a point's coordinates: formulas square and cube them, and what overflows has no distance.
+constexpr double farthest = 1e50;
 
 /// A static solid that bounds the space for balls instead of standing in it: the domain, written or made of the table's size.
 bool is_boundary(const Table& table, const Solid& solid) {
@@ -80,10 +84,14 @@ void eval(const Options& options) {
     const std::vector<Source> sources = sources_of(table, options.shapes_only);
     const std::vector<CsvRecord> records = value_or_stop(read_csv(options.points, "x,y"));
 
+    refuse_overwriting(options.out, {options.file, options.points});
     Output out(options.out);
     out.write("x,y,distance,grad_x,grad_y,node,certified\n");
     for (const CsvRecord& record : records) {
         const Vec2 p(value_or_stop(csv_number(options.points, record, 0)), value_or_stop(csv_number(options.points, record, 1)));
+        if (!(std::fabs(p.x()) <= farthest && std::fabs(p.y()) <= farthest))
+            throw Stop{Exit::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points,
+                                                 record.line, farthest)};
         const auto& [found, node] = answer_at(sources, p);
         out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), found.distance, found.gradient.x(),
                               found.gradient.y(), found.leaf < 0 ? "" : name_of(table.scene, node), found.certified));

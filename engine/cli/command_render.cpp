@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/cli/command.h"
+#include "engine/cli/output.h"
 #include "engine/cli/rest_pose.h"
 #include "engine/cli/table.h"
 #include "engine/core/numbers.h"
@@ -53,6 +54,7 @@ Size usual_size(const Program& program) {
 }
 
 void render(const Options& options) {
+    refuse_overwriting(options.out, {options.file});
     const Table table = open_table(options.file);
     const Program& program = *table.program;
     Size size = usual_size(program);

@@ -60,8 +60,10 @@ std::vector<InputChange> read_inputs(const std::string& path, const Program& pro
         const auto input = std::find(program.inputs.begin(), program.inputs.end(), record.cells[1]);
         if (input == program.inputs.end())
             stop(fmt::format("the table has no input \"{}\"; it has: {}", record.cells[1], fmt::join(program.inputs, ", ")));
-        changes.push_back({static_cast<std::int64_t>(tick), static_cast<int>(input - program.inputs.begin()),
-                           value_or_stop(csv_number(path, record, 2))});
+        const double value = value_or_stop(csv_number(path, record, 2));
+        if (value != 0 && value != 1)
+            stop(fmt::format("\"{}\" is neither 1 (pressed) nor 0 (released)", record.cells[2]));
+        changes.push_back({static_cast<std::int64_t>(tick), static_cast<int>(input - program.inputs.begin()), value});
     }
     std::stable_sort(changes.begin(), changes.end(), [](const InputChange& a, const InputChange& b) { return a.tick < b.tick; });
     return changes;
@@ -126,6 +128,8 @@ std::string text_of(const SimulationSummary& summary, const std::string& table, 
 }
 
 void run(const Options& options) {
+    for (const std::string& output : {options.trace, options.events})
+        refuse_overwriting(output, {options.file, options.inputs});
     const Table table = open_table(options.file);
     World world = world_of(table, options);
     Recorder recorder(table.scene, options.trace, options.events);

@@ -1,7 +1,11 @@
 #include "engine/cli/output.h"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "engine/cli/command.h"
@@ -36,6 +40,14 @@ void Output::finish() {
 }
 
 void Output::stop() const { throw Stop{Exit::failed, "cannot write " + path_ + ": " + std::strerror(errno)}; }
+
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
+    for (const std::string& input : inputs) {
+        std::error_code missing;  // what does not exist cannot be overwritten
+        if (!output.empty() && output != "-" && !input.empty() && std::filesystem::equivalent(output, input, missing))
+            throw Stop{Exit::usage, fmt::format("{} is read by this command and cannot be written by it", output)};
+    }
+}
 
 void print(std::string_view text) {
     Output out("-");

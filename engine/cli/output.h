@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/core/result.h"
 
@@ -27,6 +28,9 @@ private:
     std::string path_;
     std::FILE* file_ = nullptr;
 };
+
+/// Stops the command, before anything is written, when an output is one of the files it reads, by whatever name.
+void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
 
 /// All of it to stdout.
 void print(std::string_view text);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <vector>
 
 namespace pinfield {
 
@@ -18,18 +17,33 @@ struct Excerpt {
 
 bool starts_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) != 0x80u; }
 
-/// A whole line, or, of one that no terminal shows whole, what is about the column.
-Excerpt excerpt_of(std::string_view line, int column) {
-    constexpr int longest = 200, about = 60;  // characters: of a line shown whole, and to either side of the column
-    std::vector<std::size_t> starts;  // of characters, in bytes
-    for (std::size_t i = 0; i < line.size(); ++i)
-        if (starts_character(line[i])) starts.push_back(i);
-    const int count = static_cast<int>(starts.size());
-    if (count <= longest) return {std::string(line), column - 1};
-    const int first = std::clamp(column - 1 - about, 0, count), last = std::clamp(column - 1 + about, first, count);
-    const auto byte = [&](int character) { return character < count ? starts[static_cast<std::size_t>(character)] : line.size(); };
-    const std::string before = first > 0 ? "..." : "", after = last < count ? "..." : "";
-    return {before + std::string(line.substr(byte(first), byte(last) - byte(first))) + after, column - 1 - first + static_cast<int>(before.size())};
+/// The byte `count` characters after (before) `at`, as far as the line goes.
+std::size_t after(std::string_view line, std::size_t at, int count) {
+    while (at < line.size() && count-- > 0) do
+            ++at;
+        while (at < line.size() && !starts_character(line[at]));
+    return at;
+}
+std::size_t before(std::string_view line, std::size_t at, int count) {
+    while (at > 0 && count-- > 0) do
+            --at;
+        while (at > 0 && !starts_character(line[at]));
+    return at;
+}
+
+int characters(std::string_view text) {
+    return static_cast<int>(std::count_if(text.begin(), text.end(), starts_character));
+}
+
+/// A whole line, or, of one that no terminal shows whole, what is about the byte `at`: only that is looked at, as a
+/// hostile file has a line of megabytes and a hundred findings in it.
+Excerpt excerpt_of(std::string_view line, std::size_t at, int column) {
+    constexpr int longest = 200, about = 60;  // characters: of a line shown whole, and to either side of the place
+    if (after(line, 0, longest) == line.size()) return {std::string(line), column - 1};
+    const std::size_t first = before(line, at, about), last = after(line, at, about);
+    const std::string left = first > 0 ? "..." : "", right = last < line.size() ? "..." : "";
+    return {left + std::string(line.substr(first, last - first)) + right,
+            static_cast<int>(left.size()) + characters(line.substr(first, at - first))};
 }
 
 }  // namespace
@@ -44,7 +58,10 @@ std::string format(const Diagnostic& diagnostic, const SourceText& source) {
     const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
     std::string out = fmt::format("{}:{}:{}: {}: {} [{}]\n", source.name(), at.line, at.column, severity,
                                   diagnostic.message, diagnostic.code);
-    const Excerpt excerpt = excerpt_of(source.line(at.line), at.column);
+    const std::string_view line = source.line(at.line);
+    const auto line_begin = static_cast<std::size_t>(line.data() - source.text().data());
+    const std::size_t in_line = line.empty() ? 0 : std::min(diagnostic.where.begin - line_begin, line.size());
+    const Excerpt excerpt = excerpt_of(line, in_line, at.column);
     if (!excerpt.text.empty()) out += fmt::format("  {}\n  {}^\n", excerpt.text, std::string(static_cast<std::size_t>(excerpt.caret), ' '));
     if (!diagnostic.hint.empty()) out += fmt::format("  hint: {}\n", diagnostic.hint);
     return out;

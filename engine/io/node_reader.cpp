@@ -70,6 +70,7 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
     const NodeType& type = *node.type;
     const ChildCount allowed = type.meta.children;
     if (list) read_nodes(context, scene, node.id, *list);
+    if (list && list->kind != YamlKind::sequence && !list->is_empty()) return;  // has been told of
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
     if (count >= allowed.min && count <= allowed.max && (allowed.max > 0 || !list)) return;
     const std::string wanted = allowed.max == 0 ? "no children"
@@ -120,7 +121,26 @@ const YamlNode* first_node_beyond(const YamlNode& list, std::size_t& left) {
     return nullptr;
 }
 
-void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& item) {
+/// An alias of a key where a node is due: its anchor stands before the first word of what it was to name. Told at the
+/// alias, as the anchor alone would be no error, with the line where the author must act.
+bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
+    if (!written.target || written.target->kind != YamlKind::scalar || !written.target->parent) return false;
+    const YamlNode& key = *written.target;
+    const std::vector<YamlNode*>& entries = key.parent->items;
+    const auto at = std::find(entries.begin(), entries.end(), &key) - entries.begin();
+    if (key.parent->kind != YamlKind::map || at % 2 != 0) return false;
+    const int line = context.source.place(key.span.begin).line;
+    context.report(
+        Code::wrong_shape, written.span,
+        fmt::format("*{} is only the word {}: in line {} its anchor stands before a key", written.text, key.text, line),
+        fmt::format("write - &{} {{{}: ...}}, or &{} alone in the line of the dash", written.text, key.text,
+                    written.text));
+    return true;
+}
+
+void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& written) {
+    if (report_alias_of_key(context, written)) return;
+    const YamlNode& item = written.resolved();
     if (item.kind != YamlKind::map || item.entries() != 1) return report_no_node(context, item);
     const YamlNode& key = item.key(0);
     const YamlNode& body = item.value(0).resolved();
@@ -153,7 +173,7 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
     if (body.kind != YamlKind::map && !body.is_empty())
         return context.report(Code::wrong_shape, body.span, fmt::format("the fields of {} are due here", key.text),
                               fmt::format("write {}: {{...}}", key.text));
-    for (std::size_t i = 0; i < body.entries(); ++i) {
+    for (std::size_t i = 0; i < body.entries() && !context.full(); ++i) {
         const YamlNode& field_key = body.key(i);
         const YamlNode& value = body.value(i).resolved();
         if (!is_plain_key(field_key)) continue;
@@ -182,7 +202,10 @@ void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNod
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
         return context.report(Code::too_many_nodes, beyond->span,
                               fmt::format("more than {} nodes", context.limits.nodes));
-    for (const YamlNode* item : list.items) read_node(context, scene, parent, item->resolved());
+    for (const YamlNode* item : list.items) {
+        if (context.full()) return;
+        read_node(context, scene, parent, *item);
+    }
 }
 
 }  // namespace pinfield

@@ -21,12 +21,16 @@ struct ReadContext {
         if (diagnostics.size() < limits.errors)
             diagnostics.push_back(diagnose(code, where, std::move(message), std::move(hint)));
         else if (diagnostics.size() == limits.errors)
-            diagnostics.push_back(diagnose(Code::too_many_errors, where, "more errors follow; mend these first"));
+            diagnostics.push_back(diagnose(Code::too_many_errors, where, std::string(more_errors_follow)));
     }
+    /// So much is wrong that the rest is not worth reading: whoever goes through a list asks before each item, so that
+    /// neither nodes nor suggestions are made that nobody will see.
+    bool full() const { return diagnostics.size() > limits.errors; }
     std::size_t errors_so_far() const { return diagnostics.size(); }
 };
 
-/// "did you mean radius?", or "one of: a, b, c" when there are few and none is close, or nothing.
+/// "did you mean radius?", or "one of: a, b, c" when there are few and none is close, or nothing. Of very many
+/// candidates only the first are compared.
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// [a-z_][a-z0-9_]*

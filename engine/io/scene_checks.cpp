@@ -1,8 +1,8 @@
 // What only the whole scene can tell.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
-#include <set>
 
 #include "engine/io/node_reader.h"
 #include "engine/scene/part_traits.h"
@@ -18,6 +18,7 @@ void check_ids(ReadContext& context, const Scene& scene) {
         if (node.type->meta.kind == NodeKind::record || node.name.empty()) continue;
         const auto [first, is_new] = taken.emplace(node.name, node.key);
         if (is_new) continue;
+        if (context.full()) return;
         const auto field = node.type->find_field("id");
         context.report(Code::duplicate_id, node.fields[static_cast<std::size_t>(*field)].where,
                        fmt::format("the id {} is taken", node.name),
@@ -25,26 +26,34 @@ void check_ids(ReadContext& context, const Scene& scene) {
     }
 }
 
+/// Sorted: for looking up, and for suggesting from.
+using Names = std::vector<std::string_view>;
+
+bool holds(const Names& names, std::string_view name) { return std::binary_search(names.begin(), names.end(), name); }
+
 /// Materials are the only things that a field of kind `id`, other than the node's own id, refers to.
-void check_material(ReadContext& context, const std::set<std::string_view>& materials, const FieldSlot& slot) {
+void check_material(ReadContext& context, const Names& materials, const FieldSlot& slot) {
     const auto& name = std::get<std::string>(slot.value);
-    if (name.empty() || name == "default" || materials.count(name)) return;
+    if (name.empty() || name == "default" || holds(materials, name)) return;
     context.report(Code::unknown_material, slot.where, fmt::format("no material is called {}", name),
-                   suggestion(name, {materials.begin(), materials.end()}));
+                   suggestion(name, materials));
 }
 
-void check_inputs(ReadContext& context, const std::set<std::string_view>& inputs, const FieldSlot& slot) {
+void check_inputs(ReadContext& context, const Names& inputs, const FieldSlot& slot) {
     for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
-        if (!inputs.count(name))
+        if (!context.full() && !holds(inputs, name))
             context.report(Code::unknown_input, slot.where, fmt::format("no input is called {}", name),
-                           suggestion(name, {inputs.begin(), inputs.end()}));
+                           suggestion(name, inputs));
 }
 
 void check_references(ReadContext& context, const Scene& scene) {
-    std::set<std::string_view> materials, inputs;
-    for (const NodeId id : scene.materials()) materials.insert(scene.find(id)->name);
-    for (const InputBinding& input : scene.inputs) inputs.insert(input.name);
+    Names materials, inputs;
+    for (const NodeId id : scene.materials()) materials.push_back(scene.find(id)->name);
+    for (const InputBinding& input : scene.inputs) inputs.push_back(input.name);
+    std::sort(materials.begin(), materials.end());
+    std::sort(inputs.begin(), inputs.end());
     for (const NodeId id : scene.all()) {
+        if (context.full()) return;
         const Node& node = *scene.find(id);
         for (std::size_t i = 0; i < node.fields.size(); ++i) {
             const FieldType& field = node.type->fields[i];
@@ -59,6 +68,7 @@ void check_references(ReadContext& context, const Scene& scene) {
 void check_domains(ReadContext& context, const Scene& scene) {
     std::map<std::string, Span> domain_of;
     for (const NodeId id : scene.all()) {
+        if (context.full()) return;
         const Node& node = *scene.find(id);
         if (!node.type->part || node.type->part->role != Role::boundary) continue;
         auto layers = node.get<std::vector<std::string>>("layer");

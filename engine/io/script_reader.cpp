@@ -118,6 +118,9 @@ Script read_script(const SourceText& source, const Limits& limits) {
     Script script;
     const YamlTree tree = read_yaml(source, limits);
     script.diagnostics = tree.diagnostics;
+    for (Diagnostic& d : script.diagnostics)  // read_yaml() takes every file for a table
+        if (d.code == entry(Code::empty_file).code)
+            d = diagnose(Code::empty_file, d.where, "the file holds no steps", "begin each step with a dash");
     if (!tree.root) return script;
     const Catalogue none;
     ReadContext context{source, none, limits, script.diagnostics};
@@ -126,7 +129,10 @@ Script read_script(const SourceText& source, const Limits& limits) {
                        "begin each step with a dash");
         return script;
     }
-    for (const YamlNode* item : tree.root->items) read_step(context, script, item->resolved());
+    for (const YamlNode* item : tree.root->items) {
+        if (context.full()) break;
+        read_step(context, script, item->resolved());
+    }
     return script;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
@@ -37,6 +38,7 @@ void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const
     std::vector<const YamlNode*> items{&value};
     if (value.kind == YamlKind::sequence) items.assign(value.items.begin(), value.items.end());
     for (const YamlNode* item : items) {
+        if (context.full()) return;
         const YamlNode& name = item->resolved();
         if (name.kind != YamlKind::scalar || name.text.empty()) {
             context.report(Code::wrong_shape, name.span, "the name of a key is due here");
@@ -56,7 +58,7 @@ void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const
 template <class Read>
 void read_entries(ReadContext& context, std::string_view what, const YamlNode& map,
                   const std::vector<std::string_view>& keys, Read read) {
-    for (std::size_t i = 0; i < map.entries(); ++i) {
+    for (std::size_t i = 0; i < map.entries() && !context.full(); ++i) {
         const auto it = std::find(keys.begin(), keys.end(), map.key(i).text);
         const YamlNode& value = map.value(i).resolved();
         if (!is_plain_key(map.key(i))) continue;
@@ -86,19 +88,20 @@ void read_launch(ReadContext& context, TableTest& test, const YamlNode& node) {
     test.launches.push_back(launch);
 }
 
-bool is_quantity(const Scene& scene, std::string_view quantity) {
-    if (quantity == "escaped" || quantity == "drained") return true;
-    if (!quantity.ends_with(".hits")) return false;
-    quantity.remove_suffix(std::string_view(".hits").size());
-    const Node* node = scene.find(quantity);
-    return node && node->type->meta.kind != NodeKind::record;
-}
+/// What a test may expect something of, found once for all expectations.
+struct Quantities {
+    std::set<std::string> measured;
+    std::vector<std::string> named;  ///< those with a name of the author's: what is worth suggesting
+};
 
-std::vector<std::string> quantities(const Scene& scene) {
-    std::vector<std::string> out{"escaped", "drained"};
-    for (const NodeId id : scene.all())
-        if (const Node& node = *scene.find(id); node.type->meta.kind != NodeKind::record && !node.name.empty())
-            out.push_back(node.name + ".hits");
+Quantities quantities_of(const Scene& scene) {
+    Quantities out{{"escaped", "drained"}, {"escaped", "drained"}};
+    for (const auto& [id, path] : scene.paths()) {
+        const Node& node = *scene.find(id);
+        if (node.type->meta.kind == NodeKind::record) continue;
+        out.measured.insert(path + ".hits");
+        if (!node.name.empty()) out.named.push_back(path + ".hits");
+    }
     return out;
 }
 
@@ -108,7 +111,7 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-void read_expectation(ReadContext& context, const Scene& scene, TableTest& test, const YamlNode& node) {
+void read_expectation(ReadContext& context, const Quantities& known, TableTest& test, const YamlNode& node) {
     const auto refuse = [&](std::string message) {
         context.report(Code::bad_expectation, node.span, std::move(message), "for example: pop.hits >= 1");
     };
@@ -122,23 +125,24 @@ void read_expectation(ReadContext& context, const Scene& scene, TableTest& test,
         return refuse(fmt::format("{} is no comparison; there are == != < <= > >=", comparison));
     const QuantityResult value = read_quantity(number, Unit::none);
     if (!value) return refuse(fmt::format("{} is no number", number));
-    if (!is_quantity(scene, quantity)) {
-        const std::vector<std::string> known = quantities(scene);
+    if (!known.measured.count(std::string(quantity)))
         return context.report(Code::unknown_quantity, node.span, fmt::format("nothing called {} is measured", quantity),
-                              suggestion(quantity, {known.begin(), known.end()}));
-    }
+                              suggestion(quantity, {known.named.begin(), known.named.end()}));
     test.expectations.push_back(
         {std::string(quantity), std::string(comparison), value->value, std::string(node.text), node.span});
 }
 
 /// One thing or a list of them.
 template <class Read>
-void each(const YamlNode& node, Read read) {
+void each(const ReadContext& context, const YamlNode& node, Read read) {
     if (node.kind != YamlKind::sequence) return read(node);
-    for (const YamlNode* item : node.items) read(item->resolved());
+    for (const YamlNode* item : node.items) {
+        if (context.full()) return;
+        read(item->resolved());
+    }
 }
 
-void read_test(ReadContext& context, Scene& scene, const YamlNode& node) {
+void read_test(ReadContext& context, Scene& scene, const Quantities& known, const YamlNode& node) {
     if (node.kind != YamlKind::map)
         return context.report(Code::wrong_shape, node.span,
                               "a test is due here: {launch: {...}, run: 3s, expect: [...]}");
@@ -151,12 +155,13 @@ void read_test(ReadContext& context, Scene& scene, const YamlNode& node) {
             else
                 context.report(Code::wrong_shape, value.span, "a text is due here");
         } else if (index == 1) {
-            each(value, [&](const YamlNode& launch) { read_launch(context, test, launch); });
+            each(context, value, [&](const YamlNode& launch) { read_launch(context, test, launch); });
         } else if (index == 2) {
             const auto run = read_value(context, number_field("run", Unit::second, above(0), to(3600)), value);
             if (run) test.run = std::get<double>(*run);
         } else {
-            each(value, [&](const YamlNode& expectation) { read_expectation(context, scene, test, expectation); });
+            each(context, value,
+                 [&](const YamlNode& expectation) { read_expectation(context, known, test, expectation); });
         }
     });
     if (!node.find("expect")) context.report(Code::missing_field, node.span, "a test needs expect");
@@ -180,7 +185,7 @@ void read_inputs(ReadContext& context, Scene& scene, const YamlNode& section) {
     if (section.kind != YamlKind::map)
         return context.report(Code::wrong_shape, section.span, "inputs are due here",
                               "write inputs: {left: [Z, LeftShift]}");
-    for (std::size_t i = 0; i < section.entries(); ++i)
+    for (std::size_t i = 0; i < section.entries() && !context.full(); ++i)
         read_binding(context, scene, section.key(i), section.value(i).resolved());
 }
 
@@ -189,7 +194,11 @@ void read_tests(ReadContext& context, Scene& scene, const YamlNode& section) {
     if (section.kind != YamlKind::sequence)
         return context.report(Code::wrong_shape, section.span, "a list of tests is due here",
                               "begin each test with a dash");
-    for (const YamlNode* item : section.items) read_test(context, scene, item->resolved());
+    const Quantities known = quantities_of(scene);
+    for (const YamlNode* item : section.items) {
+        if (context.full()) return;
+        read_test(context, scene, known, item->resolved());
+    }
 }
 
 }  // namespace pinfield

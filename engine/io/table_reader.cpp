@@ -47,7 +47,7 @@ void read_materials(ReadContext& context, Scene& scene, const YamlNode& section)
         return context.report(Code::wrong_shape, section.span, "materials are due here",
                               "write materials: {rubber: {restitution: 0.8}}");
     const NodeType& type = *context.catalogue.find("material");
-    for (std::size_t i = 0; i < section.entries(); ++i) {
+    for (std::size_t i = 0; i < section.entries() && !context.full(); ++i) {
         const YamlNode& key = section.key(i);
         const YamlNode& body = section.value(i).resolved();
         if (!is_plain_key(key)) continue;
@@ -79,7 +79,7 @@ void report_unknown_section(ReadContext& context, const YamlNode& root, std::siz
 }
 
 void read_sections(ReadContext& context, Scene& scene, const YamlNode& root) {
-    for (std::size_t i = 0; i < root.entries(); ++i) {
+    for (std::size_t i = 0; i < root.entries() && !context.full(); ++i) {
         const std::string_view key = root.key(i).text;
         if (!is_plain_key(root.key(i))) continue;
         const YamlNode& value = root.value(i).resolved();
@@ -101,6 +101,7 @@ void read_sections(ReadContext& context, Scene& scene, const YamlNode& root) {
         else if (std::find(section_keys.begin(), section_keys.end(), key) == section_keys.end())
             report_unknown_section(context, root, i);
     }
+    if (context.full()) return;
     check_scene(context, scene);
     if (const YamlNode* tests = root.find("tests")) read_tests(context, scene, *tests);
     const YamlNode* nodes = root.find("scene");

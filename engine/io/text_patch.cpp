@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
+#include "engine/io/quantity.h"
 #include "engine/io/table_reader.h"
 #include "engine/io/value_writer.h"
 #include "engine/io/yaml_edit.h"
@@ -151,6 +153,38 @@ Failure shared_failure(const YamlNode& shared) {
     return {fmt::format("the value is shared by {} places of the file; edit the text", shared.references + 1)};
 }
 
+/// How often each spelling of a unit stands in the text of given fields; a bare number is the empty spelling.
+using Spellings = std::map<std::string, int>;
+
+void count_spellings(const SourceText& source, const Node& node, Unit unit, Spellings& counts) {
+    constexpr std::string_view between = "[]{}, '\"\r\n";
+    for (std::size_t i = 0; i < node.fields.size(); ++i) {
+        if (!node.fields[i].given || node.type->fields[i].meta.unit != unit) continue;
+        std::string_view text = source.slice(node.fields[i].where);
+        while (!text.empty()) {
+            const std::size_t length = std::min(text.find_first_of(between), text.size());
+            const QuantityResult read = read_quantity(text.substr(0, length), unit);
+            // Nought is the same in every unit, and nobody writes one with it.
+            if (read && (read->value != 0 || read->suffix))
+                ++counts[read->suffix ? std::string(read->suffix->text) : ""];
+            text.remove_prefix(std::min(length + 1, text.size()));
+        }
+    }
+}
+
+/// A number in the unit that the author uses beside a new field: what its node's fields of this unit have most often,
+/// else those of the whole file; empty for a bare number.
+std::string customary_number(const SourceText& source, const Scene& scene, const Node& node, Unit unit) {
+    if (unit == Unit::none) return {};
+    Spellings counts;
+    count_spellings(source, node, unit, counts);
+    if (counts.empty())
+        for (const NodeId id : scene.all()) count_spellings(source, *scene.find(id), unit, counts);
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == counts.end() || most->first.empty() ? std::string() : "1" + most->first;
+}
+
 /// Where a new field goes: before the children, which are the longest part of a node and stay last.
 std::size_t index_for_new_field(const YamlNode& map) {
     for (std::size_t i = 0; i < map.entries(); ++i)
@@ -166,10 +200,13 @@ TextPatch new_section(const std::string& text, const YamlNode& root, const Node&
     return insert_entry(text, root, index, fmt::format("{}: {{{}}}", record.type->key(), entry));
 }
 
-Result<TextPatch> unverified_patch(const std::string& text, const YamlTree& tree, const Node& node, const Edit& edit) {
+Result<TextPatch> unverified_patch(const SourceText& source, const YamlTree& tree, const Scene& scene, const Node& node,
+                                   const Edit& edit) {
+    const std::string& text = source.text();
     const auto slot_index = static_cast<std::size_t>(edit.field);
     const FieldType& field = node.type->fields[slot_index];
-    const std::string entry = fmt::format("{}: {}", field.key, write_value(field, edit.value));
+    const std::string like = customary_number(source, scene, node, field.meta.unit);
+    const std::string entry = fmt::format("{}: {}", field.key, write_value(field, edit.value, like));
     const Place place = find_place(tree, node);
     if (!place.owner) {
         if (node.type->meta.kind != NodeKind::record) return failure("the text does not hold the node");
@@ -236,7 +273,7 @@ Result<TextPatch> patch_for(const SourceText& source, const Scene& before, const
     if (!edit.given && !identical(edit.value, node.type->fields[static_cast<std::size_t>(edit.field)].initial))
         return failure("only a default value can be left out of the text");
     const YamlTree tree = read_yaml(source, limits);
-    Result<TextPatch> patch = unverified_patch(source.text(), tree, node, here);
+    Result<TextPatch> patch = unverified_patch(source, tree, now.scene, node, here);
     if (!patch) return patch;
     if (const auto why = refute(*patch, source, now.scene, here, limits)) return failure(*why);
     return patch;

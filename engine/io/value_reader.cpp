@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "engine/core/closest.h"
 #include "engine/core/color.h"
@@ -96,6 +97,7 @@ std::optional<Value> read_points(ReadContext& context, const FieldType& field, c
     std::vector<Vec2> points;
     bool good = true;
     for (const YamlNode* item : node.items) {
+        if (context.full()) return {};
         const auto point = read_vec2(context, field.meta, item->resolved());
         if (point)
             points.push_back(*point);
@@ -180,7 +182,10 @@ std::optional<Value> read_word(ReadContext& context, const FieldType& field, con
 }  // namespace
 
 std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates) {
-    if (const auto close = closest_match(word, candidates)) return fmt::format("did you mean {}?", *close);
+    // A hostile file has as many names as it likes; a table has fewer than this.
+    constexpr std::size_t most_compared = 500;
+    const std::span<const std::string_view> compared(candidates.data(), std::min(candidates.size(), most_compared));
+    if (const auto close = closest_match(word, compared)) return fmt::format("did you mean {}?", *close);
     if (candidates.empty() || candidates.size() > 12) return {};
     return fmt::format("one of: {}", fmt::join(candidates, ", "));
 }

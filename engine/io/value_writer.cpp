@@ -45,8 +45,6 @@ std::string single_quoted(std::string_view text) {
     return out + '\'';
 }
 
-std::string pair_text(const Vec2& v) { return fmt::format("[{}, {}]", to_text(v.x()), to_text(v.y())); }
-
 template <class List, class Write>
 std::string list_text(const List& list, Write write) {
     std::string out = "[";
@@ -85,10 +83,14 @@ std::string write_scalar_like(const FieldType& field, const Value& value, const 
                : plain;
 }
 
-std::string write_value(const FieldType&, const Value& value) {
+std::string write_value(const FieldType& field, const Value& value, std::string_view like) {
+    const auto number_text = [&](double number) { return write_quantity(number, field.meta.unit, like); };
+    const auto pair_text = [&](const Vec2& v) {
+        return fmt::format("[{}, {}]", number_text(v.x()), number_text(v.y()));
+    };
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
-    if (const double* number = std::get_if<double>(&value)) return to_text(*number);
+    if (const double* number = std::get_if<double>(&value)) return number_text(*number);
     if (const Vec2* pair = std::get_if<Vec2>(&value)) return pair_text(*pair);
     if (const auto* points = std::get_if<std::vector<Vec2>>(&value)) return list_text(*points, pair_text);
     const auto word = [](const std::string& text) { return write_text(text); };

@@ -12,8 +12,9 @@ namespace pinfield {
 /// hold it.
 std::string write_text(std::string_view text, YamlStyle style = YamlStyle::plain);
 
-/// A value on one line in flow style: 0.03, [1, 2], [[0, 0], [1, 0]], crimson, "#7c5".
-std::string write_value(const FieldType& field, const Value& value);
+/// A value on one line in flow style: 0.03, [1, 2], [[0, 0], [1, 0]], crimson, "#7c5"; its numbers in the unit of
+/// `like`.
+std::string write_value(const FieldType& field, const Value& value, std::string_view like = {});
 
 /// A single value (number, word, text, colour, name ...) in the style of the scalar that it replaces: its unit,
 /// decimals and quotes.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "engine/core/error_codes.h"
 
@@ -76,29 +77,30 @@ void check_tabs(std::string_view text, Diagnostics& out) {
 }
 
 /// The parser keeps every open bracket in a queue before it says a word about it: megabytes of them cost a gigabyte.
-/// And it copies a scalar of megabytes before its length can be judged. A comma between brackets, a colon with a blank
-/// and a dash that begins a line are at least one event each, unless a text or a comment holds them; a table has no
-/// million of those, and the parser would take more than a second to say so.
+/// And it copies a scalar of megabytes before its length can be judged. A comma of a list and a dash that begins a
+/// line are an event, a colon with a blank is two, unless a text or a comment holds them; whoever writes more than the
+/// limit of those is told so before the parser has spent its third of a second on them.
 std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limits) {
     const std::size_t most_open = 16 * limits.depth;
     std::array<bool, 256> ends_word{};
     for (const char c : std::string_view(" \n,[]{}:\"'#")) ends_word[static_cast<unsigned char>(c)] = true;
-    std::size_t open = 0, run = 0, separators = 0;
+    std::string open;  // brackets
+    std::size_t run = 0, separators = 0;
     bool line_begins = true;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const char c = text[i];
         ++run;
-        if (c == '[' || c == '{') ++open;
-        if ((c == ']' || c == '}') && open > 0) --open;
-        if (open > most_open)
+        if (c == '[' || c == '{') open.push_back(c);
+        if ((c == ']' || c == '}') && !open.empty()) open.pop_back();
+        if (open.size() > most_open)
             return diagnose(Code::too_deep, {i, i + 1}, fmt::format("more than {} brackets are open here", most_open),
                             fmt::format("at most {} levels may nest", limits.depth));
         const bool blank_follows =
             i + 1 == text.size() || text[i + 1] == ' ' || text[i + 1] == '\n' || text[i + 1] == '\r';
-        const bool separates =
-            (c == ',' && open > 0) || (c == ':' && blank_follows) || (c == '-' && line_begins && blank_follows);
+        if (c == ':' && blank_follows) separators += 2;
+        if ((c == ',' && open.ends_with('[')) || (c == '-' && line_begins && blank_follows)) ++separators;
         line_begins = c == '\n' || (line_begins && (c == ' ' || c == '-'));
-        if (separates && ++separators > limits.events)
+        if (separators > limits.events)
             return diagnose(Code::too_many_events, {i, i + 1}, fmt::format("more than {} YAML events", limits.events));
         if (ends_word[static_cast<unsigned char>(c)]) run = 0;
         if (run > limits.scalar_bytes)
@@ -155,6 +157,9 @@ Diagnostics check_text(const SourceText& source, const Limits& limits) {
     if (text.size() > limits.file_bytes)
         return {diagnose(Code::file_too_large, {0, 0},
                          fmt::format("the file has {} bytes; at most {} are read", text.size(), limits.file_bytes))};
+    // Before UTF-16, whose mark is the beginning of this one's.
+    if (text.starts_with(std::string_view("\xFF\xFE\0\0", 4)) || text.starts_with(std::string_view("\0\0\xFE\xFF", 4)))
+        return {diagnose(Code::not_utf8, {0, 4}, "the file is UTF-32", "save it as UTF-8")};
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         return {diagnose(Code::not_utf8, {0, 2}, "the file is UTF-16", "save it as UTF-8")};
     if (auto found = check_characters(text)) return {*found};
@@ -228,6 +233,20 @@ std::size_t null_word(std::string_view text, std::size_t at) {
     const bool follows =
         before > byte_order_mark(text) && std::string_view("-:,[{?").find(text[before - 1]) != std::string_view::npos;
     return follows ? length : 0;
+}
+
+Span value_with_colon(std::string_view text, std::size_t at) {
+    constexpr std::string_view ends = ",[]{}\"'#\r\n";  // of an entry that is nothing but words
+    at = std::min(at, text.size());
+    const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_of(ends, at - 1);
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1,
+                      stop = std::min(text.find_first_of(ends, at), text.size());
+    const std::string_view entry = text.substr(begin, stop - begin);
+    const std::size_t colon = entry.find(": ");
+    if (colon == std::string_view::npos) return {at, at};
+    const std::size_t value = skip_spaces(text, begin + colon + 1), last = text.find_last_not_of(" \t", stop - 1);
+    const bool second = text.substr(value, stop - value).find(": ") != std::string_view::npos;
+    return second ? Span{value, last + 1} : Span{at, at};
 }
 
 std::optional<std::size_t> color_in_comment(std::string_view text, std::size_t begin, std::size_t end) {

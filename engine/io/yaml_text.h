@@ -36,6 +36,10 @@ std::size_t scalar_end(std::string_view text, std::size_t at, YamlStyle style, s
 /// The literal words ~ and null at `at`, standing for themselves right after their key or dash: their length, else 0.
 std::size_t null_word(std::string_view text, std::size_t at);
 
+/// The value of the entry in flow style about `at` where another colon and blank stand in it ("a: b" of {name: a: b}),
+/// else empty.
+Span value_with_colon(std::string_view text, std::size_t at);
+
 /// A `#` that begins a comment in [begin, end) and is followed at once by a hex colour: its offset.
 std::optional<std::size_t> color_in_comment(std::string_view text, std::size_t begin, std::size_t end);
 

@@ -201,6 +201,11 @@ private:
     }
 
     void explain_unclosed(std::size_t place) {
+        if (const Span span = value_with_colon(text_, place); span.begin < span.end) {
+            const std::string_view value = text_.substr(span.begin, std::min<std::size_t>(span.end - span.begin, 60));
+            return report(Code::yaml_syntax, span.begin, fmt::format("a second colon in one entry: {}", value),
+                          fmt::format("quote a text that holds a colon and a blank: \"{}\"", value));
+        }
         std::size_t begin = place;
         for (auto it = open_.rbegin(); it != open_.rend() && begin == place; ++it)
             if (it->node->style == YamlStyle::flow) begin = it->node->span.begin;
@@ -265,15 +270,20 @@ private:
 
     void check_key(const YamlNode& key) {
         if (key.kind != YamlKind::scalar) {
-            report(Code::bad_key, key.span.begin, "a key is a plain word");
+            report_key(Code::bad_key, key, "a key is a plain word");
             return;
         }
         if (key.text == "<<" && key.style == YamlStyle::plain)
-            report(Code::merge_key, key.span.begin, "the merge key << is not part of the format",
-                   "write the fields out");
-        else if (!keys_.back().insert(key.text).second && tree_.diagnostics.size() < limits_.errors)
-            report(Code::duplicate_key, key.span.begin, fmt::format("{} is said twice here", key.text),
-                   "remove one of the two");
+            report_key(Code::merge_key, key, "the merge key << is not part of the format", "write the fields out");
+        else if (!keys_.back().insert(key.text).second)
+            report_key(Code::duplicate_key, key, fmt::format("{} is said twice here", key.text),
+                       "remove one of the two");
+    }
+
+    void report_key(Code code, const YamlNode& key, std::string message, std::string hint = {}) {
+        if (tree_.diagnostics.size() >= limits_.errors)
+            stop(Code::too_many_errors, key.span.begin, std::string(more_errors_follow));
+        report(code, key.span.begin, std::move(message), std::move(hint));
     }
 
     void open(YamlKind kind, const YAML::Mark& mark, YAML::anchor_t anchor, YamlStyle style) {

@@ -48,6 +48,9 @@ struct YamlTree {
     Diagnostics diagnostics;
 };
 
+/// What is said in place of the findings beyond Limits::errors.
+inline constexpr std::string_view more_errors_follow = "more errors follow; mend these first";
+
 /// Reads one document; the tree refers to the source's text, which must outlive it. Never throws; never recurses deeper
 /// than the limits let it.
 YamlTree read_yaml(const SourceText& source, const Limits& limits = {});

@@ -94,8 +94,8 @@ const Node* Scene::find(std::string_view id_or_path) const {
         const Node& node = *find(id);
         if (node.type->meta.kind != NodeKind::record && !node.name.empty() && node.name == id_or_path) return &node;
     }
-    for (const NodeId id : all())
-        if (path(id) == id_or_path) return find(id);
+    for (const auto& [id, path] : paths())
+        if (path == id_or_path) return find(id);
     return nullptr;
 }
 
@@ -107,6 +107,23 @@ std::string Scene::path(NodeId id) const {
     const std::vector<NodeId>& siblings = node.parent ? find(node.parent)->children : roots_;
     std::string own = fmt::format("{}[{}]", node.type->key(), index_among(*this, siblings, node));
     return node.parent ? path(node.parent) + "/" + own : own;
+}
+
+std::map<NodeId, std::string> Scene::paths() const {
+    std::map<NodeId, std::string> out;
+    std::map<std::pair<NodeId, const NodeType*>, int> counts;  // of siblings so far, per parent
+    for (const NodeId id : all()) {                            // parents come before their children
+        const Node& node = *find(id);
+        const bool record = node.type->meta.kind == NodeKind::record;
+        const int index = record ? 0 : counts[{node.parent, node.type}]++;
+        if (record || !node.name.empty()) {
+            out.emplace(id, path(id));
+            continue;
+        }
+        const std::string above = node.parent ? out.at(node.parent) + "/" : "";
+        out.emplace(id, fmt::format("{}{}[{}]", above, node.type->key(), index));
+    }
+    return out;
 }
 
 std::vector<NodeId> Scene::all() const {
@@ -139,11 +156,12 @@ NodeId Scene::material_of(NodeId id) const {
 
 void Scene::keep_ids_of(const Scene& before) {
     std::map<std::string, NodeId> old_ids;
-    for (const NodeId id : before.all()) old_ids.emplace(before.path(id), id);
+    const std::map<NodeId, std::string> old_paths = before.paths(), new_paths = paths();
+    for (const NodeId id : before.all()) old_ids.emplace(old_paths.at(id), id);
     std::map<NodeId, NodeId> renamed;
     std::uint32_t next = std::max(next_id_, before.next_id_);
     for (const NodeId id : all()) {
-        const auto match = old_ids.find(path(id));
+        const auto match = old_ids.find(new_paths.at(id));
         const bool known = match != old_ids.end() && before.find(match->second)->type->key() == find(id)->type->key();
         renamed[id] = known ? match->second : NodeId{next++};
     }

@@ -81,6 +81,8 @@ public:
     const Node* find(std::string_view id_or_path) const;
     /// The author's id, or the path.
     std::string path(NodeId id) const;
+    /// path() of all ids in use, in one walk: a path costs its siblings, and a table may have thousands side by side.
+    std::map<NodeId, std::string> paths() const;
 
     const Node& table() const { return *find(table_); }
     const Node& physics() const { return *find(physics_); }

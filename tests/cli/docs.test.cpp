@@ -42,6 +42,21 @@ TEST_CASE("the README's first table has at most ten lines, is right, and plays")
     CHECK_THAT(played.out, Catch::Contains("\"escaped\": 0,") && Catch::Contains("\"kick\""));
 }
 
+TEST_CASE("the README's simulation says what the command prints, but for the time it took") {
+    const std::vector<std::string> shown = lines_of(
+        block_after(slurp(fs::path(pinfield::test::source_dir()) / "README.md"), "## The command", "```console"));
+    const std::string prompt = "$ pinfield ";
+    REQUIRE(shown.size() > 2);
+    REQUIRE(shown[0].starts_with(prompt));
+    const Outcome played = run_pinfield(shown[0].substr(prompt.size()));
+    INFO(played.err);
+    REQUIRE(played.exit == 0);
+    const std::vector<std::string> printed = lines_of(played.out);
+    REQUIRE(printed.size() == shown.size() - 1);
+    const auto timeless = [](const std::string& line) { return line.substr(0, line.find(") in ")); };
+    for (std::size_t i = 0; i < printed.size(); ++i) CHECK(timeless(printed[i]) == timeless(shown[i + 1]));
+}
+
 TEST_CASE("the map of the engine names every file") {
     const fs::path engine = fs::path(pinfield::test::source_dir()) / "engine";
     const std::string map = slurp(engine / "README.md");

@@ -55,6 +55,20 @@ TEST_CASE("eval gives the closed form of a circle, its gradient and its id") {
     CHECK(rows[2].grad_y == Approx(1));
 }
 
+TEST_CASE("a point so far out that no formula can tell its distance is refused, with its line") {
+    const Scratch scratch;
+    const std::string table = scratch.write("t.yaml", "pinfield: 1\nscene:\n  - circle: {}\n  - ellipse: {}\n");
+    const auto outcome_of = [&](const std::string& point) {
+        return run_pinfield("eval " + table + " --points " + scratch.write("p.csv", "x,y\n0,0\n" + point + "\n"));
+    };
+    CHECK(outcome_of("1e50,-1e50").exit == 0);
+    CHECK(outcome_of("1e50,-1e50").out.find("inf") == std::string::npos);
+    for (const char* point : {"1e155,0", "0,-1e51"}) {
+        CHECK(outcome_of(point).exit == 3);
+        CHECK_THAT(outcome_of(point).err, Catch::Contains("p.csv:3: "));
+    }
+}
+
 TEST_CASE("a table without a domain node has its size as the domain, and --shapes-only leaves it out") {
     const std::string scene = "scene:\n  - circle: {id: disc, radius: 100mm, at: [0.5, 0.5]}\n";
     const std::vector<Row> all = eval(scene, "0.5,0.03\n0.5,-0.25\n0.5,0.35\n");

@@ -124,8 +124,9 @@ TEST_CASE("inputs come from a file of edges, by name") {
     const Scratch scratch;
     const std::string still = "simulate " + first_table + " --seconds 0.1 --json --inputs ";
     CHECK(run_pinfield(still + scratch.write("a.csv", "tick,input,value\n10,left,1\n20,left,0\n")).exit == 0);
-    for (const char* text : {"tick,input\n", "tick,input,value\n10,lift,1\n", "tick,input,value\n-1,left,1\n", "tick,input,value\n1.5,left,1\n",
-                             "tick,input,value\n1,left,high\n"}) {
+    for (const char* text : {"tick,input\n", "tick,input,value\n10,lift,1\n", "tick,input,value\n-1,left,1\n",
+                             "tick,input,value\n1.5,left,1\n", "tick,input,value\n1,left,high\n",
+                             "tick,input,value\n1,left,2\n", "tick,input,value\n1,left,0.5\n"}) {
         INFO(text);
         const Outcome outcome = run_pinfield(still + scratch.write("b.csv", text));
         CHECK(outcome.exit == 3);
@@ -133,6 +134,24 @@ TEST_CASE("inputs come from a file of edges, by name") {
     }
     const json beaten = summary_of(first_table + " --seconds 0.1 --inputs " + (scratch / "a.csv"));
     CHECK(beaten["state_hash"] != summary_of(first_table + " --seconds 0.1")["state_hash"]);
+}
+
+TEST_CASE("no command writes over a file that it reads") {
+    const Scratch scratch;
+    const std::string text = "pinfield: 1\nscene:\n  - circle: {at: [0.1, 0.1]}\n", points = "x,y\n0,0\n";
+    const std::string table = scratch.write("t.yaml", text), csv = scratch.write("p.csv", points),
+                      same = scratch / "./t.yaml";
+    for (const std::string& command :
+         {"simulate " + table + " --seconds 0.01 --trace " + table,
+          "simulate " + table + " --seconds 0.01 --events " + same, "render " + table + " -o " + table,
+          "eval " + table + " --points " + csv + " -o " + table, "eval " + table + " --points " + csv + " -o " + csv}) {
+        const Outcome outcome = run_pinfield(command);
+        INFO(command << "\n" << outcome.err);
+        CHECK(outcome.exit == 2);
+        CHECK(slurp(table) == text);
+        CHECK(slurp(csv) == points);
+    }
+    CHECK(run_pinfield("simulate " + table + " --seconds 0.01 --trace " + (scratch / "new.csv")).exit == 0);
 }
 
 TEST_CASE("simulate --step and --integrator overrule the table") {

@@ -100,6 +100,29 @@ TEST_CASE("a script drags, sets, undoes, saves and expects") {
     CHECK(changed_lines(pen, folder.read("table.yaml")) == 1);
 }
 
+TEST_CASE("a script sets the fields of physics, of the table and of materials by their paths") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    FakeWindow window(state);
+    const std::string material = state.document.scene().materials().empty()
+                                     ? ""
+                                     : state.document.scene().path(state.document.scene().materials()[0]);
+    REQUIRE(material.starts_with("materials/"));
+    CHECK(
+        play(
+            state, window,
+            "- {set: {node: physics, field: step, value: 2ms}}\n- {expect: {node: physics, field: step, value: 2ms}}\n")
+            .empty());
+    CHECK(
+        play(state, window,
+             "- {set: {node: table, field: name, value: Dawn}}\n- {expect: {node: table, field: name, value: Dawn}}\n")
+            .empty());
+    CHECK(play(state, window,
+               "- {set: {node: " + material + ", field: restitution, value: 0.1}}\n- {expect: {node: " + material +
+                   ", field: restitution, value: 0.1}}\n")
+              .empty());
+}
+
 TEST_CASE("waits and keys take exactly their ticks, in frames of a fixed number") {
     const Folder folder;
     AppState state = opened_state(folder);

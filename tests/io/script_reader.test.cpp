@@ -13,6 +13,12 @@ std::string first_code(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("an empty script has no steps, not no table") {
+    const Script script = read_script(SourceText("s.yaml", "# nothing\n"));
+    REQUIRE(script.diagnostics.size() == 1);
+    CHECK(script.diagnostics[0].message == "the file holds no steps");
+}
+
 TEST_CASE("every kind of step reads") {
     const SourceText source("s.yaml",
                             "- {action: file.save}\n"

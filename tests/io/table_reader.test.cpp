@@ -83,6 +83,26 @@ TEST_CASE("plain anchors and aliases work, and an error in what they share is to
           std::vector<std::string>{"E0208 3:25"});
 }
 
+TEST_CASE("an alias whose anchor stands before a key is told at the alias, with what to write") {
+    const ReadResult result =
+        read("pinfield: 1\nscene:\n  - &whole union:\n      children: [circle: {}]\n  - *whole\n");
+    CHECK(codes_and_places(result) == std::vector<std::string>{"E0201 5:5"});
+    CHECK(result.diagnostics[0].message == "*whole is only the word union: in line 3 its anchor stands before a key");
+    CHECK(read("pinfield: 1\nscene:\n  - &whole\n    union:\n      children: [circle: {}]\n  - *whole\n").ok());
+    CHECK(read("pinfield: 1\nscene:\n  - &whole {union: {children: [circle: {}]}}\n  - *whole\n").ok());
+}
+
+TEST_CASE("children that are no list are one error, not also too few") {
+    const ReadResult result = read("pinfield: 1\nscene:\n  - union: {children: {circle: {}}}\n");
+    CHECK(codes_and_places(result) == std::vector<std::string>{"E0201 3:23"});
+}
+
+TEST_CASE("a file in UTF-32 is called that") {
+    CHECK(read(std::string("\xFF\xFE\0\0p\0\0\0", 8)).diagnostics[0].message == "the file is UTF-32");
+    CHECK(read(std::string("\0\0\xFE\xFF\0\0\0p", 8)).diagnostics[0].message == "the file is UTF-32");
+    CHECK(read(std::string("\xFF\xFEp\0", 4)).diagnostics[0].message == "the file is UTF-16");
+}
+
 TEST_CASE("all errors of a file are told in one run, in the order of the text") {
     const ReadResult result = read(
         "pinfield: 1\ntable: {sise: [1, 2]}\nscene:\n  - circel: {}\n  - circle: {radius: -1, turn: 3mm}\n  - bumper: "

@@ -97,6 +97,22 @@ TEST_CASE("a new field takes the style of its neighbours") {
           "- circle: {\n    at: [0, 1],\n    turn: 3, # there\n    radius: 0.03,\n  }\n");
 }
 
+TEST_CASE("a new field is written in the unit of its neighbours, else of the file, so that it reads back the same") {
+    CHECK(edited_node("- circle: {at: [5mm, 0]}\n", "circle[0]", "radius", 0.03) ==
+          "- circle: {at: [5mm, 0], radius: 30mm}\n");
+    CHECK(edited_node("- circle: {radius: 1cm}\n", "circle[0]", "at", Vec2(0.012, 0)) ==
+          "- circle: {radius: 1cm, at: [1.2cm, 0cm]}\n");
+    CHECK(edited_node("- circle: {at: [0.1, 0.2]}\n- circle: {radius: 3mm}\n", "circle[0]", "radius", 0.03) ==
+          "- circle: {at: [0.1, 0.2], radius: 0.03}\n- circle: {radius: 3mm}\n");
+    CHECK(edited_node("- circle: {}\n- circle: {radius: 3mm}\n- box: {round: 1mm, at: [0.1, 0]}\n", "circle[0]",
+                      "radius", 0.0305) ==
+          "- circle: {radius: 30.5mm}\n- circle: {radius: 3mm}\n- box: {round: 1mm, at: [0.1, 0]}\n");
+    CHECK(edited_node("- circle: {radius: 3mm}\n", "circle[0]", "turn", 3.0) == "- circle: {radius: 3mm, turn: 3}\n");
+    // A length that inches cannot say to the last bit is written without them.
+    CHECK(edited_node("- circle: {at: [1in, 0]}\n", "circle[0]", "radius", 0.1 + 0.2).find("refused") ==
+          std::string::npos);
+}
+
 TEST_CASE("a new field stands before the children") {
     CHECK(edited_node("- union:\n    # two\n    children:\n    - circle: {}\n", "union[0]", "turn", 3.0) ==
           "- union:\n    # two\n    turn: 3\n    children:\n    - circle: {}\n");

@@ -73,6 +73,18 @@ TEST_CASE("a quote that is never closed is an error, also where the parser says 
     CHECK(Read("a: 'x''").code() == "E0105");
 }
 
+TEST_CASE("a second colon in an entry of flow style is told as that, and quoted") {
+    for (const char* text : {"a: {name: a: b}", "a: {name: a: b, d: e}", "a: {x: {name: a: b}}", "a: [name: a: b]"}) {
+        INFO(text);
+        const Read read(text);
+        REQUIRE(read.tree.diagnostics.size() == 1);
+        CHECK(read.tree.diagnostics[0].message == "a second colon in one entry: a: b");
+        CHECK(read.tree.diagnostics[0].hint.ends_with("\"a: b\""));
+        CHECK(read.source.slice(read.tree.diagnostics[0].where) == "a");
+    }
+    CHECK(Read("a: {b: c").tree.diagnostics[0].message == "this { is never closed");
+}
+
 TEST_CASE("a null key and the words for null are told from a missing value") {
     CHECK(Read("a:\nnull: 3\n").code() == "E0121");
     CHECK(Read("a: null\n").at("a").text == "null");

@@ -40,6 +40,7 @@ TEST_CASE("a node is found by its id, else by its path among siblings of its typ
     CHECK(scene.path(scene.physics().id) == "physics");
     for (const NodeId id : scene.all()) {
         REQUIRE(scene.find(scene.path(id)));
+        CHECK(scene.paths().at(id) == scene.path(id));
         CHECK(scene.find(scene.path(id))->id == id);
     }
     CHECK(scene.find("circle[0]") == nullptr);
