@@ -19,6 +19,10 @@ void everything_is_finite(const Trial& trial) {
         const sdf::Sample& s = trial.samples[i];
         if (!std::isfinite(s.value) || !s.gradient.allFinite())
             trial.report(fmt::format("{}: {} gradient ({}, {})", at(trial.points[i]), s.value, s.gradient.x(), s.gradient.y()));
+        if (!trial.subject.is_shape()) continue;
+        // By itself, too: a choice between dual numbers may step round what is none.
+        const double alone = trial.subject.kernels().distance(trial.subject.params(), trial.points[i].x(), trial.points[i].y());
+        if (!std::isfinite(alone)) trial.report(fmt::format("{}: {}", at(trial.points[i]), alone));
     }
 }
 
