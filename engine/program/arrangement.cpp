@@ -17,8 +17,9 @@ public:
         : field_(field), root_(root), leaves_(leaves) {
         double extent = 0;
         for (std::size_t i = 0; i < leaves.size(); ++i) {
-            extent = std::max(
-                {extent, leaves[i].bounds.lo.cwiseAbs().maxCoeff(), leaves[i].bounds.hi.cwiseAbs().maxCoeff()});
+            const Vec2 middle = 0.5 * (leaves[i].outline[0].a + leaves[i].outline[0].b);  // of a line, near the rest
+            const Box2 box = leaves[i].endless ? Box2{middle, middle} : leaves[i].bounds;
+            extent = std::max({extent, box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()});
             for (std::size_t k = 0; k < leaves[i].outline.size(); ++k)
                 edges_.push_back(edge_of(leaves[i].outline[k], static_cast<int>(i), leaves[i].origin(k)));
         }

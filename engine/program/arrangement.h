@@ -13,6 +13,7 @@ struct LeafImage {
     sdf::Outline outline;        ///< in the field's frame, solid on the left
     Box2 bounds;
     std::vector<int> origins{};  ///< of all but a shape: the shape that each piece of the outline comes from
+    bool endless = false;        ///< a half plane: the outline is as much of its line as lies before the horizon
     bool traced = false;         ///< the outline strays from the leaf's own zero line by up to trace_tolerance
 
     int origin(std::size_t piece) const { return origins.empty() ? leaf : origins[piece]; }
@@ -24,10 +25,18 @@ struct OwnedPiece {
     int origin = 0;  ///< op
 };
 
-/// All appearances below an op, in the order a walk of the tree meets them: shapes with outlines, and round, inset and onion of such, under
-/// union, intersection, difference, xor, complement and images; whatever else is there is traced as a whole. Empty when some of that
-/// cannot be.
-std::vector<LeafImage> leaf_images(const Field& field, int root);
+/// Half planes are cut off there, in reaches of what else there is: far enough not to matter on a table, near enough for the corners to
+/// keep their digits.
+inline constexpr double horizon_reaches = 100;
+
+struct FoundLeaves {
+    std::vector<LeafImage> leaves;
+    double horizon = infinity;  ///< metres from the origin, within which half planes' lines are whole
+};
+/// All appearances below an op, in the order a walk of the tree meets them: shapes with outlines, half planes, and round, inset and onion of
+/// such, under union, intersection, difference, xor, complement and images; whatever else is there is traced as a whole. Empty when
+/// some of that cannot be.
+FoundLeaves leaf_images(const Field& field, int root);
 
 /// Is a point in the tree's solid, given for each appearance whether it is in that one?
 bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf);
@@ -35,6 +44,7 @@ bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf);
 struct FoundBoundary {
     std::vector<OwnedPiece> pieces;
     bool traced = false;  ///< some of it is a fitted zero line
+    double horizon = infinity;  ///< metres from the origin within which all of it is there
 };
 /// The boundary of the solid below an op; no pieces where none is there to be found.
 FoundBoundary boundary_below(const Field& field, int root);

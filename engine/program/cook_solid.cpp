@@ -73,10 +73,10 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
 int Emitter::exact_below_offset(int child, const sdf::Affine& offset) {
     const Op tree = field_.ops[static_cast<std::size_t>(child)];
     if (offset_is_exact(tree.exactness, offset)) return child;
-    const std::vector<OwnedPiece> pieces = boundary_below(field_, child).pieces;
-    if (pieces.empty()) return child;
+    const FoundBoundary found = boundary_below(field_, child);
+    if (found.pieces.empty() || found.horizon < infinity) return child;
     sdf::Outline outline;
-    for (const OwnedPiece& owned : pieces) outline.push_back(owned.piece);
+    for (const OwnedPiece& owned : found.pieces) outline.push_back(owned.piece);
     const int count = static_cast<int>(outline.size());
     std::vector<double> block(static_cast<std::size_t>(sdf::packed_outline_size(count)));
     sdf::pack_outline(outline, count, block.data());

@@ -115,6 +115,9 @@ int nearest_piece_of(const Field& field, int index, const Vec2& p) {
     return winner.entry;
 }
 
+/// May the pieces' distance be wrong, because an endless solid's may lie nearer where they were cut off?
+bool reaches_beyond(double horizon, const Vec2& p, double distance) { return horizon < infinity && length(p) + std::fabs(distance) > horizon; }
+
 bool contains(const Field& field, const Solid& solid, const Vec2& p) {
     return solid.bounds.contains(p) && tree_value(field, solid.root, p) < 0;
 }
@@ -127,6 +130,17 @@ bool is_covered(const Field& field, const WayOut& way, LayerMask layers, int exc
         if (tree_value(field, solid.root, way.beyond) <= way.room) return true;
     }
     return false;
+}
+
+/// Far out, where each solid is asked by what is known of it there.
+Nearest nearest_one_by_one(const Field& field, const Vec2& p, LayerMask layers, double reach) {
+    Nearest out{.distance = reach};
+    for (std::size_t i = 0; i < field.solids.size(); ++i) {
+        if (!(field.solids[i].layers & layers)) continue;
+        const Nearest here = nearest_of_solid(field, static_cast<int>(i), p);
+        if (here.distance < out.distance) out = here;
+    }
+    return out;
 }
 
 }  // namespace
@@ -153,6 +167,8 @@ Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, dou
         }
         return winner.squared;
     });
+    const double distance = std::sqrt(winner.squared);
+    if (reaches_beyond(field.horizon, p, distance)) return nearest_one_by_one(field, p, layers, reach);
     if (winner.entry < 0) return {.distance = reach};
     if (winner.entry < pieces) return surface(field, winner.entry, p, false);
     return surface_of_tree(field, field.tree_solids[static_cast<std::size_t>(winner.entry - pieces)], p);
@@ -161,7 +177,8 @@ Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, dou
 Nearest nearest_of_solid(const Field& field, int index, const Vec2& p) {
     const Solid& solid = solid_at(field, index);
     if (!solid.lowered) return surface_of_tree(field, index, p);
-    return corrected(field, surface(field, nearest_piece_of(field, index, p), p, contains(field, solid, p)), p);
+    const Nearest found = surface(field, nearest_piece_of(field, index, p), p, contains(field, solid, p));
+    return reaches_beyond(solid.horizon, p, found.distance) ? surface_of_tree(field, index, p) : corrected(field, found, p);
 }
 
 Nearest nearest(const Field& field, const Vec2& p, LayerMask layers, double reach) {

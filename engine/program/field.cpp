@@ -95,6 +95,8 @@ void replace_solid(Field& field, int solid, const Field& fragment) {
 
 void index(Field& field) {
     field.tree_solids.clear();
+    field.horizon = infinity;
+    for (const Solid& solid : field.solids) field.horizon = std::min(field.horizon, solid.horizon);
     std::vector<Box2> boxes;
     boxes.reserve(field.pieces.size() + field.solids.size());
     for (const BoundaryPiece& boundary : field.pieces) boxes.push_back(bounds_of(boundary.piece));

@@ -29,7 +29,7 @@ Piece moved(const Similarity& to_from, const Piece& piece) {
 /// Does the operation only ask whether a point is in its operands? (A boundary stands for the solid below it.)
 bool is_boolean(const sdf::Kernels& kernels, const double* params) {
     switch (kernels.form) {
-        case Form::shape: return kernels.outline != nullptr;
+        case Form::shape: return kernels.outline || kernels.endless;
         case Form::fold: return kernels.combine_hard == kernels.combine;
         case Form::modify: {
             const sdf::Affine affine = kernels.affine(params);
@@ -52,6 +52,7 @@ public:
 
 private:
     bool add_shape(int index, const Similarity& chain);
+    bool add_half_plane(int index, const Similarity& chain);
     bool add_offset(int index, const Similarity& chain);
     bool add_traced(int index, const Similarity& chain);
     bool add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, bool traced);
@@ -77,7 +78,7 @@ bool LeafCollector::add_offset(int index, const Similarity& chain) {
     const Op& op = field_.ops[static_cast<std::size_t>(index)];
     const FoundBoundary below = boundary_below(field_, field_.links[static_cast<std::size_t>(op.first_link)]);
     // The offset's own field is the distance to a formula's zero line, and a hair's breadth from parallels of what was fitted to it.
-    if (below.pieces.empty() || below.traced) return add_traced(index, chain);
+    if (below.pieces.empty() || below.traced || below.horizon < infinity) return add_traced(index, chain);
     return add(index, chain, offset_boundary(field_, index, below.pieces), false);
 }
 
@@ -96,12 +97,23 @@ bool LeafCollector::add_shape(int index, const Similarity& chain) {
     return add(index, chain, pieces, false);
 }
 
+/// A metre of its line to either side of the point nearest to the origin: cut_at_horizon() makes it long.
+bool LeafCollector::add_half_plane(int index, const Similarity& chain) {
+    const Similarity field_from_local = chain * field_.ops[static_cast<std::size_t>(index)].local_from_field.inverse();
+    const Vec2 on_line = field_from_local.offset, along = field_from_local.direction({field_from_local.mirrored ? 1 : -1, 0});
+    const Vec2 nearest = on_line - dot(on_line, along) * along;
+    LeafImage leaf{index, chain, {Piece::segment(nearest - along, nearest + along)}, Box2::everything()};
+    leaf.endless = true;
+    leaves.push_back(std::move(leaf));
+    return true;
+}
+
 bool LeafCollector::collect(int index, const Similarity& chain) {
     const Op& op = field_.ops[static_cast<std::size_t>(index)];
     if (is_boundary(op)) return collect(field_.links[static_cast<std::size_t>(op.first_link)], chain);
     if (!is_boolean(*op.kernels, field_.params.data() + op.params))
         return op.kernels->form == Form::modify ? add_offset(index, chain) : add_traced(index, chain);
-    if (op.kernels->form == Form::shape) return add_shape(index, chain);
+    if (op.kernels->form == Form::shape) return op.kernels->endless ? add_half_plane(index, chain) : add_shape(index, chain);
     const int appearances = op.kernels->form == Form::images ? op.image_count : 1;
     for (int image = 0; image < appearances; ++image)
         for (int i = 0; i < op.child_count; ++i) {
@@ -143,12 +155,31 @@ double membership(const Field& field, int index, const std::vector<char>& in_lea
     return 1;
 }
 
+/// Gives half planes the length that is needed; the horizon: how far from the origin that is.
+double cut_at_horizon(std::vector<LeafImage>& leaves) {
+    if (std::none_of(leaves.begin(), leaves.end(), [](const LeafImage& leaf) { return leaf.endless; })) return infinity;
+    double reach = 0;
+    for (const LeafImage& leaf : leaves) {
+        const Box2 box = leaf.endless ? bounds_of(leaf.outline[0]) : leaf.bounds;
+        reach = std::max({reach, box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()});
+    }
+    const double horizon = horizon_reaches * reach;
+    for (LeafImage& leaf : leaves) {
+        if (!leaf.endless) continue;
+        Piece& line = leaf.outline[0];
+        const Vec2 middle = 0.5 * (line.a + line.b), along = 0.5 * (line.b - line.a);
+        line = Piece::segment(middle - horizon * along, middle + horizon * along);
+    }
+    return horizon;
+}
+
 }  // namespace
 
-std::vector<LeafImage> leaf_images(const Field& field, int root) {
+FoundLeaves leaf_images(const Field& field, int root) {
     LeafCollector collector(field);
     if (!collector.collect(root, Similarity{})) return {};
-    return std::move(collector.leaves);
+    const double horizon = cut_at_horizon(collector.leaves);
+    return {std::move(collector.leaves), horizon};
 }
 
 bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf) {
@@ -157,11 +188,12 @@ bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf) 
 }
 
 FoundBoundary boundary_below(const Field& field, int root) {
-    const std::vector<LeafImage> leaves = leaf_images(field, root);
-    // A leaf without end, such as a half plane, may be part of a solid that has one.
+    const auto [leaves, horizon] = leaf_images(field, root);
     if (leaves.empty()) return {traced_boundary(field, root), true};
     const bool traced = std::any_of(leaves.begin(), leaves.end(), [](const LeafImage& leaf) { return leaf.traced; });
-    return {boundary_of(field, root, leaves), traced};
+    // What has an end has it within the reach of what is not endless.
+    const bool ends = field.ops[static_cast<std::size_t>(root)].bounds.is_finite();
+    return {boundary_of(field, root, leaves), traced, ends ? infinity : horizon};
 }
 
 void lower(Field& field, int index) {
@@ -169,11 +201,14 @@ void lower(Field& field, int index) {
     solid.first_piece = static_cast<int>(field.pieces.size());
     const FoundBoundary boundary = boundary_below(field, solid.root);
     if (boundary.pieces.empty()) return;  // nothing, or everything: only the tree can tell which
+    const Exactness& formula = field.ops[static_cast<std::size_t>(solid.root)].exactness;
+    if (boundary.horizon < infinity && formula.outside == Side::exact && formula.inside == Side::exact) return;  // it knows no horizon
     for (const OwnedPiece& piece : boundary.pieces)
         field.pieces.push_back({piece.piece, index, piece.origin, solid.layers});
     solid.piece_count = static_cast<int>(boundary.pieces.size());
     solid.lowered = true;
     solid.traced = boundary.traced;
+    solid.horizon = boundary.horizon;
 }
 
 }  // namespace pinfield

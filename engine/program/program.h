@@ -47,6 +47,7 @@ struct Solid {
     bool is_domain = false;  ///< what lies outside the space where balls may be
     bool lowered = false; ///< its boundary is known as pieces: the distance is right on both sides
     bool traced = false;  ///< ... but some of them are fitted to a formula's zero line: right within trace_tolerance of its size
+    double horizon = infinity;  ///< metres from the origin within which the pieces are all there: for solids without end
     int first_piece = 0;  ///< Field::pieces[first_piece ... + piece_count)
     int piece_count = 0;
 };
@@ -69,6 +70,7 @@ struct Field {
     std::vector<BoundaryPiece> pieces;
     Bvh bvh;                           ///< over pieces (entry i < pieces.size()) and tree solids (entry - pieces.size() = index into tree_solids)
     std::vector<int> tree_solids;      ///< solids that were not lowered
+    double horizon = infinity;         ///< the least of the solids'
 };
 
 /// A solid with one degree of freedom: world_from_mover(q) is a rotation by q about `pivot`, or a translation by q along `axis`.

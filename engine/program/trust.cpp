@@ -28,7 +28,8 @@ void for_each_trust(const Field& field, F&& tell) {
     }
     for (const Solid& solid : field.solids) {
         const Op& root = op_at(field, solid.root);
-        if (solid.lowered) tell(root.origin, Trust{root.exactness, true, solid.traced});
+        // Up to its horizon only is no promise: eval certifies an endless solid point by point.
+        if (solid.lowered && solid.horizon == infinity) tell(root.origin, Trust{root.exactness, true, solid.traced});
     }
 }
 

@@ -94,6 +94,7 @@ struct Kernels {
     /// Points of the outline from the shape's parametric definition, for tests and for shapes without `outline`.
     void (*trace)(const double* params, int points, std::vector<Vec2>& out) = nullptr;
     bool convex = false;
+    bool endless = false;  ///< a half plane: its outline is all of the local x axis
 
     // fold
     double (*combine)(const double* params, double a, double b) = nullptr;

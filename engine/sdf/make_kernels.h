@@ -71,6 +71,7 @@ void fill_shape(Kernels& k) {
     if constexpr (requires(const T& node, int n, std::vector<Vec2>& out) { node.trace(n, out); })
         k.trace = [](const double* params, int n, std::vector<Vec2>& out) { load<T>(params).trace(n, out); };
     if constexpr (requires { { T::convex } -> std::convertible_to<bool>; }) k.convex = T::convex;
+    if constexpr (requires { { T::endless } -> std::convertible_to<bool>; }) k.endless = T::endless;
 }
 
 template <template <class> class N>

@@ -69,7 +69,7 @@ void check_tree(std::uint64_t seed, bool snapped, Count& count) {
     const ProgramPtr program = compiled(scene);
     const Field& field = program->fixed;
     const Solid& solid = field.solids[0];
-    const std::vector<LeafImage> leaves = leaf_images(field, solid.root);
+    const std::vector<LeafImage> leaves = leaf_images(field, solid.root).leaves;
     REQUIRE(!leaves.empty());
     if (!solid.lowered || leaves.size() > 60) return;  // empty, everything, or too dear to check
     INFO("seed " << seed << (snapped ? " snapped" : "") << " depth " << depth << " pieces " << solid.piece_count);

@@ -185,9 +185,41 @@ TEST_CASE("an offset of a blend is an offset of its true distance") {
     CHECK(rim.distance == Approx(nearest_of_solid(field, 1, {0.425, 0.5}).distance + 0.004).margin(1e-8));
 }
 
-TEST_CASE("what has no end stays a formula") {
-    const ProgramPtr program = table_of([&](Scene& scene) { add(scene, "half_plane", {}, {{"at", Vec2(0, 0.1)}}); });
-    CHECK_FALSE(program->fixed.solids[0].lowered);
+TEST_CASE("half planes are cut where they meet, exact up to a horizon and never too far beyond") {
+    const ProgramPtr plane = table_of([&](Scene& scene) { add(scene, "half_plane", {}, {{"at", Vec2(0, 0.1)}}); });
+    CHECK_FALSE(plane->fixed.solids[0].lowered);  // its formula is exact everywhere
+    CHECK(nearest_of_solid(plane->fixed, 0, {1e6, 3.1}).distance == 3.0);
+
+    const ProgramPtr program = table_of([&](Scene& scene) {
+        add(scene, "circle", add(scene, "domain"), {{"radius", 1e7}});  // out of the way
+        const NodeId both = add(scene, "intersection");
+        add(scene, "half_plane", both, {{"at", Vec2(0, 0.5)}});
+        add(scene, "half_plane", both, {{"at", Vec2(0.5, 0)}, {"turn", -90.0}});
+    });
+    const Field& field = program->fixed;
+    const int quadrant = field.solids[0].is_domain ? 1 : 0;
+    REQUIRE(field.solids[static_cast<std::size_t>(quadrant)].lowered);
+    const double horizon = field.solids[static_cast<std::size_t>(quadrant)].horizon;
+    CHECK(horizon > 50);
+    CHECK(horizon < 1000);
+    const Vec2 corner(0.5, 0.5);
+    CounterRng rng(4);
+    for (int i = 0; i < 2000; ++i) {
+        const double reach = std::pow(10, rng.in(-4, 5));  // from beside the corner to far beyond the horizon
+        const double dx = reach * rng.in(-1, 1), dy = reach * rng.in(-1, 1);
+        const double truth = dx > 0 && dy > 0 ? std::hypot(dx, dy) : std::max(dx, dy);
+        const Vec2 p = corner + Vec2(dx, dy);
+        for (const Nearest& found : {nearest_of_solid(field, quadrant, p), truth > 0 ? nearest_outside(field, p, ground_layer, infinity) : nearest(field, p)}) {
+            INFO(dx << ' ' << dy << " found " << found.distance << " truth " << truth);
+            REQUIRE((found.distance < 0) == (truth < 0));
+            REQUIRE(std::fabs(found.distance) <= std::fabs(truth) * (1 + 1e-12) + 1e-12);
+            if (found.certified || reach < 0.2 * horizon) REQUIRE(std::fabs(found.distance - truth) <= 1e-12 * (1 + reach));
+            if (reach < 0.2 * horizon) REQUIRE(found.certified);
+        }
+    }
+}
+
+TEST_CASE("a half plane cut to a finite size has the boundary of what is left") {
     const ProgramPtr cut = table_of([&](Scene& scene) {
         const NodeId both = add(scene, "intersection");
         add(scene, "half_plane", both, {{"at", Vec2(0, 0.5)}});

@@ -5,11 +5,10 @@
 
 namespace pinfield::sdf {
 
-/// Everything below the local x axis. Its outline is endless, so it has none to hand out: as a convex solid its own
-/// distance says all that a piece of outline could.
+/// Everything below the local x axis, which is its outline: endless, so that none can be handed out.
 template <class Real>
 struct HalfPlane {
-    static constexpr bool convex = true;
+    static constexpr bool convex = true, endless = true;
 
     static Real distance(const Point<Real>& p) { return p.y; }
     static Box2 bounds() { return {{-infinity, -infinity}, {infinity, 0}}; }
