@@ -35,6 +35,12 @@ void advance_ball(WorldState& w, std::size_t i, double dt) {
         w.paths.push_back({ball.id, w.start_time() + work.time, dt, path.position, path.velocity, path.acceleration});
     ball.position = path.at(dt);
     if (!path.is_straight()) ball.velocity = path.velocity_at(dt);
+    if (work.follows) {
+        // A parabola beside a circle turns the velocity rightly but lengthens it: the force that turns does no work.
+        const Vec2 fallen = ball.position - path.position;
+        const double squared = dot(path.velocity, path.velocity) + 2 * dot(w.physics.gravity, fallen), now = length(ball.velocity);
+        if (squared > 0 && now > 0) ball.velocity *= std::sqrt(squared) / now;
+    }
     work.time += dt;
 }
 

@@ -270,18 +270,41 @@ void rest_in_wedge(WorldState& w, std::size_t i) {
         }
 }
 
-/// In contact, gravity is taken up by the surfaces the ball stays on: what is left of it lies in the cone they leave free.
+/// How far the ball's centre is from the centre of curvature of the surface that it touches: infinity on what is straight or hollow.
+double turning_radius(const WorldState& w, const Ball& ball, const Contact& c) {
+    if (c.piece < 0) return infinity;
+    return nearest_on(w.prepared->fixed.pieces()[at(c.piece)], ball.position).round + w.physics.ball_radius;
+}
+
+/// In contact, gravity is taken up by the surfaces the ball stays on: what is left of it lies in the cone they leave free. On something
+/// round part of it turns the ball about the centre of curvature, as long as there is enough of it; a faster ball flies off.
 void constrain(WorldState& w, std::size_t i) {
+    BallWork& work = w.work[i];
+    work.follows = false;
     if (w.physics.integrator == Integrator::symplectic_euler) return;
-    Vec2 a = w.physics.gravity;
+    const Vec2& g = w.physics.gravity;
+    const Contact* only = nullptr;
+    int holding = 0;
+    Vec2 a = g;
     for (const Contact& c : w.contacts) {
         if (!c.collapsed || c.mover >= 0) continue;
         const double into = dot(c.normal, a);
         if (into < 0) a -= into * c.normal;
+        only = &c;
+        ++holding;
     }
     for (const Contact& c : w.contacts)
-        if (c.collapsed && c.mover < 0 && dot(c.normal, a) < -1e-12 * length(w.physics.gravity)) a = {0, 0};
-    w.work[i].acceleration = a;
+        if (c.collapsed && c.mover < 0 && dot(c.normal, a) < -1e-12 * length(g)) a = {0, 0};
+    if (holding == 1) {
+        const Ball& ball = w.balls[i];
+        const double along = dot(ball.velocity, perpendicular(only->normal)), turning = along * along / turning_radius(w, ball, *only);
+        if (turning > 0) {
+            const bool holds = turning < -dot(only->normal, g);
+            a = holds ? Vec2(a - turning * only->normal) : g;
+            work.follows = holds;
+        }
+    }
+    work.acceleration = a;
 }
 
 /// Rounding may eat the gap of a ball that stays in contact: put it back to half the tolerance where nothing is in the way.

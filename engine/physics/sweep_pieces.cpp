@@ -233,7 +233,7 @@ Foot nearest_on(const SweepPiece& p, const Vec2& point) {
         const double u = dot(p.along, from_a);
         if (u >= 0 && u <= p.length) {
             const double height = dot(p.normal, from_a);
-            return {std::abs(height), height < 0 ? Vec2(-p.normal) : p.normal, 0, height >= 0};
+            return {std::abs(height), height < 0 ? Vec2(-p.normal) : p.normal, 0, infinity, height >= 0};
         }
     } else {
         const Vec2 x = point - p.centre;
@@ -241,7 +241,7 @@ Foot nearest_on(const SweepPiece& p, const Vec2& point) {
         if (far > 0 && in_sector(p, x)) {
             const bool beyond = far > p.radius;
             return {std::abs(far - p.radius), x * ((beyond ? 1 : -1) / far), p.turn < 0 && !beyond ? p.radius : 0,
-                    beyond == (p.turn > 0)};
+                    beyond ? p.radius : infinity, beyond == (p.turn > 0)};
         }
     }
     const Vec2 from_a = point - p.a, from_b = point - p.b;
@@ -250,6 +250,7 @@ Foot nearest_on(const SweepPiece& p, const Vec2& point) {
     foot.distance = at_a ? to_a : to_b;
     foot.normal = foot.distance > 0 ? Vec2((at_a ? from_a : from_b) / foot.distance) : Vec2(0, 1);
     foot.outside = at_a ? p.corner_a : p.corner_b;
+    foot.round = 0;
     return foot;
 }
 

@@ -36,7 +36,7 @@ void begin_tick(WorldState& w, std::size_t i) {
     BallWork& work = w.work[i];
     work.time = work.travelled = 0;
     work.impacts = 0;
-    work.frozen = work.jammed = false;
+    work.frozen = work.jammed = work.follows = false;
     Vec2 acceleration = w.physics.gravity;
     filter_accelerations(w, i, acceleration);
     Vec2 velocity = w.balls[i].velocity;
