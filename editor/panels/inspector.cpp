@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "editor/panels/fields.h"
@@ -38,9 +39,10 @@ void exactness_badges(const AppState& state, const Theme& theme, const Node& nod
     if (!trust) return;
     const Exactness e = trust->exactness();
     ImGui::Dummy({0, theme.px(1)});
-    if (trust->fitted) {
-        pill(theme, "right to 1e-7 of its size", palette::accent, PillStyle::bare);
-        tooltip(theme, "The distance used is not exact, but off by at most a ten millionth of the node's size, on both sides.");
+    if (trust->fit_error > 0) {
+        const std::string within = "right to " + to_text(std::ceil(1e9 * trust->fit_error), 0) + " nm";
+        pill(theme, within, palette::accent, PillStyle::bare);
+        tooltip(theme, "The distance used is not exact, but off by at most that many millionths of a millimetre, on both sides.");
     } else if (e.outside == e.inside) {
         side_badge(theme, "on both sides", e.outside);
     } else {
@@ -49,11 +51,11 @@ void exactness_badges(const AppState& state, const Theme& theme, const Node& nod
         side_badge(theme, "inside", e.inside);
     }
     if (trust->boundary_known) {
-        const char* word = trust->fitted ? "boundary fitted" : "boundary known";
+        const char* word = trust->fit_error > 0 ? "boundary fitted" : "boundary known";
         next_badge(theme, word);
         pill(theme, word, palette::quiet, PillStyle::filled);
-        tooltip(theme, trust->fitted ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its "
-                                       "distance is right on both sides, within 1e-7 of its size."
+        tooltip(theme, trust->fit_error > 0 ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its "
+                                       "distance is right on both sides, but for the error shown."
                                      : "The boundary of this node was found when the table was compiled and is what the ball meets, so that its "
                                        "distance is exact on both sides.");
     }

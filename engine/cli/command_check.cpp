@@ -60,8 +60,8 @@ std::string message_of(const Note& note) {
     const Exactness& formula = note.trust.formula;
     return fmt::format("{} is {} outside, {} inside, L = {:.4g}{}", note.node, word(formula.outside), word(formula.inside), formula.lipschitz,
                        !note.trust.boundary_known ? ""
-                       : note.trust.fitted        ? ", its boundary is fitted: right on both sides within 1e-7 of its size"
-                                                  : ", its boundary is known: exact on both sides");
+                       : note.trust.fit_error == 0 ? ", its boundary is known: exact on both sides"
+                                                   : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.trust.fit_error));
 }
 
 std::string lines_of(const std::vector<Note>& notes, const SourceText& source) {
@@ -82,7 +82,8 @@ JsonObject json_of(const Note& note, const SourceText& source) {
         .add("inside", word(formula.inside))
         .add("lipschitz", formula.lipschitz)
         .add("boundary_known", note.trust.boundary_known)
-        .add("boundary_fitted", note.trust.fitted);
+        .add("boundary_fitted", note.trust.fit_error > 0)
+        .add("fit_error", note.trust.fit_error);
 }
 
 /// Findings of the reader and, when it is content, of the compiler; notes on what it made.

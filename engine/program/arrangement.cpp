@@ -66,7 +66,7 @@ private:
     /// The leaf's distance at p, or a bound of it. What was traced is asked by its outline, which is what the others are cut by.
     sdf::Sample sample_of(const LeafImage& leaf, const Vec2& p) const {
         const sdf::Sample own = evaluate_tree(field_, leaf.leaf, leaf.field_from_leaf.inverse() * p);
-        if (!leaf.traced) return {own.value, leaf.field_from_leaf.direction(own.gradient)};
+        if (leaf.error == 0) return {own.value, leaf.field_from_leaf.direction(own.gradient)};
         PieceFoot nearest;
         for (const Piece& piece : leaf.outline) {
             const PieceFoot foot = foot_on_piece(piece, p);

@@ -14,7 +14,7 @@ struct LeafImage {
     Box2 bounds;
     std::vector<int> origins{};  ///< of all but a shape: the shape that each piece of the outline comes from
     bool endless = false;        ///< a half plane: the outline is as much of its line as lies before the horizon
-    bool traced = false;         ///< the outline strays from the leaf's own zero line by up to trace_tolerance
+    double error = 0;            ///< metres that the outline strays at most from the leaf's own zero line: > 0 where it was traced
 
     int origin(std::size_t piece) const { return origins.empty() ? leaf : origins[piece]; }
 };
@@ -43,7 +43,7 @@ bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf);
 
 struct FoundBoundary {
     std::vector<OwnedPiece> pieces;
-    bool traced = false;  ///< some of it is a fitted zero line
+    double error = 0;           ///< metres that its pieces stray at most from the leaves' zero lines: > 0 where some were traced
     double horizon = infinity;  ///< metres from the origin within which all of it is there
 };
 /// The boundary of the solid below an op; no pieces where none is there to be found.

@@ -31,7 +31,7 @@ Nearest surface(const Field& field, int piece, const Vec2& p, bool inside_at_end
     Nearest out;
     out.solid = boundary.solid;
     out.leaf = boundary.leaf;
-    out.certified = !solid_at(field, boundary.solid).traced;
+    out.certified = solid_at(field, boundary.solid).fit_error == 0;
     const bool inside = foot.interior ? foot.inside : inside_at_ends;
     out.distance = inside ? -foot.distance : foot.distance;
     out.gradient = inside && !foot.interior ? Vec2(-foot.normal) : foot.normal;
@@ -80,10 +80,9 @@ Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
 /// A traced boundary is a hair's breadth off the formula's zero line. The formula itself may know the distance; else the foot is moved
 /// onto that line, which leaves of the error no more than its square.
 Nearest corrected(const Field& field, const Nearest& found, const Vec2& p) {
-    if (found.solid < 0 || !solid_at(field, found.solid).traced) return found;
+    if (found.solid < 0 || solid_at(field, found.solid).fit_error == 0) return found;
     const int root = solid_at(field, found.solid).root;
-    const double size = field.ops[static_cast<std::size_t>(root)].bounds.is_finite() ? solid_at(field, found.solid).bounds.size().maxCoeff() : length(p);
-    const double error = 2 * trace_tolerance * size;
+    const double error = 2 * solid_at(field, found.solid).fit_error, size = solid_at(field, found.solid).fit_error / trace_tolerance;
     const sdf::Sample s = evaluate_tree(field, root, p);
     if (std::fabs(s.value - found.distance) <= error && is_certified(field, field.ops[static_cast<std::size_t>(root)], root, p, s))
         return {s.value, s.gradient, found.solid, found.leaf, true};

@@ -55,16 +55,16 @@ private:
     bool add_half_plane(int index, const Similarity& chain);
     bool add_offset(int index, const Similarity& chain);
     bool add_traced(int index, const Similarity& chain);
-    bool add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, bool traced);
+    bool add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, double error = 0);
 
     const Field& field_;
-    std::map<int, std::vector<OwnedPiece>> traced_;
+    std::map<int, TracedBoundary> traced_;
 };
 
-bool LeafCollector::add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, bool traced) {
+bool LeafCollector::add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, double error) {
     if (pieces.empty()) return false;
     LeafImage leaf{index, chain, {}, {}};
-    leaf.traced = traced;
+    leaf.error = error;
     for (const OwnedPiece& piece : pieces) {
         leaf.outline.push_back(moved(chain, piece.piece));
         leaf.origins.push_back(piece.origin);
@@ -78,13 +78,14 @@ bool LeafCollector::add_offset(int index, const Similarity& chain) {
     const Op& op = field_.ops[static_cast<std::size_t>(index)];
     const FoundBoundary below = boundary_below(field_, field_.links[static_cast<std::size_t>(op.first_link)]);
     // The offset's own field is the distance to a formula's zero line, and a hair's breadth from parallels of what was fitted to it.
-    if (below.pieces.empty() || below.traced || below.horizon < infinity) return add_traced(index, chain);
-    return add(index, chain, offset_boundary(field_, index, below.pieces), false);
+    if (below.pieces.empty() || below.error > 0 || below.horizon < infinity) return add_traced(index, chain);
+    return add(index, chain, offset_boundary(field_, index, below.pieces));
 }
 
 bool LeafCollector::add_traced(int index, const Similarity& chain) {
     const auto known = traced_.find(index);
-    return add(index, chain, known != traced_.end() ? known->second : traced_[index] = traced_boundary(field_, index), true);
+    const TracedBoundary& traced = known != traced_.end() ? known->second : traced_[index] = traced_boundary(field_, index);
+    return add(index, chain, traced.pieces, traced.error);
 }
 
 bool LeafCollector::add_shape(int index, const Similarity& chain) {
@@ -94,7 +95,7 @@ bool LeafCollector::add_shape(int index, const Similarity& chain) {
     const Similarity field_from_local = op.local_from_field.inverse();
     std::vector<OwnedPiece> pieces;
     for (const Piece& piece : local) pieces.push_back({moved(field_from_local, piece), index});
-    return add(index, chain, pieces, false);
+    return add(index, chain, pieces);
 }
 
 /// A metre of its line to either side of the point nearest to the origin: cut_at_horizon() makes it long.
@@ -189,11 +190,15 @@ bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf) 
 
 FoundBoundary boundary_below(const Field& field, int root) {
     const auto [leaves, horizon] = leaf_images(field, root);
-    if (leaves.empty()) return {traced_boundary(field, root), true};
-    const bool traced = std::any_of(leaves.begin(), leaves.end(), [](const LeafImage& leaf) { return leaf.traced; });
+    if (leaves.empty()) {
+        TracedBoundary traced = traced_boundary(field, root);
+        return {std::move(traced.pieces), traced.error};
+    }
+    double error = 0;
+    for (const LeafImage& leaf : leaves) error = std::max(error, leaf.error);
     // What has an end has it within the reach of what is not endless.
     const bool ends = field.ops[static_cast<std::size_t>(root)].bounds.is_finite();
-    return {boundary_of(field, root, leaves), traced, ends ? infinity : horizon};
+    return {boundary_of(field, root, leaves), error, ends ? infinity : horizon};
 }
 
 void lower(Field& field, int index) {
@@ -207,7 +212,7 @@ void lower(Field& field, int index) {
         field.pieces.push_back({piece.piece, index, piece.origin, solid.layers});
     solid.piece_count = static_cast<int>(boundary.pieces.size());
     solid.lowered = true;
-    solid.traced = boundary.traced;
+    solid.fit_error = boundary.error;
     solid.horizon = boundary.horizon;
 }
 

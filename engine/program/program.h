@@ -46,7 +46,7 @@ struct Solid {
     bool visible = true;
     bool is_domain = false;  ///< what lies outside the space where balls may be
     bool lowered = false; ///< its boundary is known as pieces: the distance is right on both sides
-    bool traced = false;  ///< ... but some of them are fitted to a formula's zero line: right within trace_tolerance of its size
+    double fit_error = 0; ///< metres that pieces stray at most from the zero lines they were fitted to: > 0 where some were
     double horizon = infinity;  ///< metres from the origin within which the pieces are all there: for solids without end
     int first_piece = 0;  ///< Field::pieces[first_piece ... + piece_count)
     int piece_count = 0;

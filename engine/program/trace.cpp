@@ -189,7 +189,7 @@ Box2 box_of_zero_line(const Field& field, int index) {
 
 }  // namespace
 
-std::vector<OwnedPiece> traced_boundary(const Field& field, int op) {
+TracedBoundary traced_boundary(const Field& field, int op) {
     const Box2 box = box_of_zero_line(field, op);
     if (box.is_empty() || !box.is_finite()) return {};
     const double size = box.size().maxCoeff();
@@ -203,7 +203,7 @@ std::vector<OwnedPiece> traced_boundary(const Field& field, int op) {
     Fit fit(field, op, size);
     for (const std::vector<ZeroPoint>& loop : *loops)
         if (!fit.add(loop)) return {};
-    return fit.take();
+    return {fit.take(), trace_tolerance * size};
 }
 
 }  // namespace pinfield

@@ -6,12 +6,16 @@
 
 namespace pinfield {
 
-/// How far a traced boundary strays at most from the zero line it was fitted to, in sizes of the solid (the longer side of its box).
+/// How far a traced boundary strays at most from the zero line it was fitted to, in sizes of what was traced (the longer side of its box).
 inline constexpr double trace_tolerance = 1e-7;
 
+struct TracedBoundary {
+    std::vector<OwnedPiece> pieces;
+    double error = 0;  ///< metres that they stray at most from the zero line
+};
 /// The boundary of the solid below an op, in the field's frame, each piece with the shape whose surface it is. Nothing where there is
 /// none, where it has no end, or where it cannot be fitted. Parts of the solid, and of what is around it, that are thinner than 1/500
 /// of its size may be missed.
-std::vector<OwnedPiece> traced_boundary(const Field& field, int op);
+TracedBoundary traced_boundary(const Field& field, int op);
 
 }  // namespace pinfield

@@ -29,7 +29,7 @@ void for_each_trust(const Field& field, F&& tell) {
     for (const Solid& solid : field.solids) {
         const Op& root = op_at(field, solid.root);
         // Up to its horizon only is no promise: eval certifies an endless solid point by point.
-        if (solid.lowered && solid.horizon == infinity) tell(root.origin, Trust{root.exactness, true, solid.traced});
+        if (solid.lowered && solid.horizon == infinity) tell(root.origin, Trust{root.exactness, true, solid.fit_error});
     }
 }
 

@@ -13,10 +13,10 @@ namespace pinfield {
 struct Trust {
     Exactness formula;            ///< of the node's own formula over its children
     bool boundary_known = false;  ///< its boundary was found and is asked in the formula's place: right on both sides
-    bool fitted = false;          ///< ... within trace_tolerance of its size; if false, exact
+    double fit_error = 0;         ///< ... within that many metres; if 0, exact
 
     /// A fitted boundary is right for all that is done with it, but not exact.
-    Exactness exactness() const { return boundary_known && !fitted ? Exactness{} : formula; }
+    Exactness exactness() const { return boundary_known && fit_error == 0 ? Exactness{} : formula; }
 };
 
 /// Of every scene node that has a field: shapes, operations, and parts made of them.
