@@ -50,6 +50,8 @@ TEST_CASE("each law catches the fault it is for") {
     CHECK(complains(complaints<WrongPartials>(), "a fold's partial derivatives are its differences"));
     CHECK(complains(complaints<WrongAffine>(), "a modifier is what its affine form says"));
     CHECK(complains(complaints<WarpPacketsOff>(), "a warp's packets send points where the warp does"));
+    CHECK(complains(complaints<BranchesByMiddle>(), "an enclosure over a box holds the samples in it"));
+    CHECK(complains(complaints<WrongLipschitz>(), "no enclosure of the gradient refutes the Lipschitz constant"));
 
     // The two laws whose faults sit in the kernels, not in a formula.
     Catalogue catalogue;
