@@ -73,7 +73,7 @@ struct Verdicts {
     int open = 0;     ///< intervals cannot tell
 };
 
-/// By halving the tile until enclosures of both sides lie apart; what lies together after `depth` times is open.
+/// By quartering the tile until enclosures of both sides lie apart; what lies together after `depth` times is open.
 class Judge {
 public:
     Judge(const Field& field, const Pruned& pruned) : field_(field), pruned_(pruned), worst_(pruned.dropped.size(), Verdict::proved) {}
