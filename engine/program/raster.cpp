@@ -104,8 +104,10 @@ private:
             const Solid& solid = field_.solids[static_cast<std::size_t>(kept_[i])];
             const Exactness& exactness = field_.ops[static_cast<std::size_t>(solid.root)].exactness;
             const double lipschitz = exactness.lipschitz;
-            // The box bounds the solid, so its distance bounds an exact field from below: far ones need no evaluation.
-            if (exactness.outside == Side::exact && solid.bounds.distance(centre) - reach > least) {
+            // The box bounds the solid, so outside its distance bounds an exact field from below: far ones need no evaluation. In the
+            // box nothing is known, the least value may lie below by any depth.
+            const double outside = solid.bounds.distance(centre);
+            if (exactness.outside == Side::exact && outside > 0 && outside - reach > least) {
                 values_[i - first] = infinity;
                 continue;
             }

@@ -9,7 +9,7 @@
 
 namespace pinfield::sdf {
 
-/// Appends the family's node types, and their kernels without those of wider instruction sets, in the order of its list.
+/// Appends the family's node types, and their kernels but for what the functions below fill in, in the order of its list.
 using AddFamily = void(std::vector<NodeType>& types, std::vector<Kernels>& kernels);
 AddFamily add_basic_shapes, add_shapes_of_lines, add_shapes_of_arcs, add_shapes_of_curves, add_operations;
 
@@ -17,17 +17,23 @@ AddFamily add_basic_shapes, add_shapes_of_lines, add_shapes_of_arcs, add_shapes_
 using FillPackets = void(PacketKernels* out);
 FillPackets fill_basic_shapes_avx2, fill_shapes_of_lines_avx2, fill_shapes_of_arcs_avx2, fill_shapes_of_curves_avx2, fill_operations_avx2;
 
+/// Writes the family's enclosures, likewise.
+using FillEnclosures = void(Enclosures* out);
+FillEnclosures fill_basic_shapes_enclosures, fill_shapes_of_lines_enclosures, fill_shapes_of_arcs_enclosures,
+    fill_shapes_of_curves_enclosures, fill_operations_enclosures;
+
 struct Family {
     AddFamily* add;
     FillPackets* fill_avx2;
+    FillEnclosures* fill_enclosures;
 };
 /// In the order of the catalogue.
 inline constexpr Family families[] = {
-    {add_basic_shapes, fill_basic_shapes_avx2},
-    {add_shapes_of_lines, fill_shapes_of_lines_avx2},
-    {add_shapes_of_arcs, fill_shapes_of_arcs_avx2},
-    {add_shapes_of_curves, fill_shapes_of_curves_avx2},
-    {add_operations, fill_operations_avx2},
+    {add_basic_shapes, fill_basic_shapes_avx2, fill_basic_shapes_enclosures},
+    {add_shapes_of_lines, fill_shapes_of_lines_avx2, fill_shapes_of_lines_enclosures},
+    {add_shapes_of_arcs, fill_shapes_of_arcs_avx2, fill_shapes_of_arcs_enclosures},
+    {add_shapes_of_curves, fill_shapes_of_curves_avx2, fill_shapes_of_curves_enclosures},
+    {add_operations, fill_operations_avx2, fill_operations_enclosures},
 };
 
 }  // namespace pinfield::sdf

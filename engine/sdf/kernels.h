@@ -8,6 +8,7 @@
 #include "engine/core/geometry.h"
 #include "engine/reflect/exactness.h"
 #include "engine/sdf/clearance.h"
+#include "engine/sdf/enclosures.h"
 #include "engine/sdf/outline.h"
 
 namespace pinfield::sdf {
@@ -85,6 +86,7 @@ struct Kernels {
     void (*derive)(double* params) = nullptr;
     Exactness (*exactness)(const double* params, std::span<const Exactness> children) = nullptr;
     std::array<PacketKernels, isa_count> packets{};  ///< an empty entry falls back to sse2
+    Enclosures enclosures;
 
     // shape
     double (*distance)(const double* params, double x, double y) = nullptr;

@@ -131,7 +131,8 @@ void fill_warp(Kernels& k) {
 
 }  // namespace detail
 
-/// The dispatch table of node template N, with the packet kernels of the baseline instruction set.
+/// The dispatch table of node template N, with the packet kernels of the baseline instruction set alone and
+/// without enclosures: see own_node.h for all that a program needs of one.
 template <template <class> class N>
 Kernels make_kernels() {
     using T = N<double>;
@@ -163,20 +164,6 @@ Kernels make_kernels() {
     }
     k.packets[static_cast<std::size_t>(Isa::sse2)] = packet_kernels<N, Packet<xsimd::sse2>>();
     return k;
-}
-
-template <template <class> class N>
-const Kernels& kernels_of() {
-    static const Kernels kernels = make_kernels<N>();
-    return kernels;
-}
-
-/// Description and kernels of N together: what a Catalogue takes.
-template <template <class> class N>
-NodeType sdf_node_type() {
-    NodeType type = node_type<N<double>>();
-    type.kernels = &kernels_of<N>();
-    return type;
 }
 
 /// What AddFamily of catalog.h asks for.

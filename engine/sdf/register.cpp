@@ -8,7 +8,7 @@
 namespace pinfield::sdf {
 namespace {
 
-/// Every node of the families, and last the boundary, with its kernels for each instruction set.
+/// Every node of the families, and last the boundary, with all its kernels.
 struct BuiltIn {
     std::vector<NodeType> types;
     std::vector<Kernels> kernels;
@@ -19,9 +19,15 @@ BuiltIn all_families() {
     for (const Family& family : families) {
         const std::size_t first = out.kernels.size();
         family.add(out.types, out.kernels);
-        std::vector<PacketKernels> avx2(out.kernels.size() - first);
+        const std::size_t count = out.kernels.size() - first;
+        std::vector<PacketKernels> avx2(count);
+        std::vector<Enclosures> enclosures(count);
         family.fill_avx2(avx2.data());
-        for (std::size_t i = 0; i < avx2.size(); ++i) out.kernels[first + i].packets[static_cast<std::size_t>(Isa::avx2)] = avx2[i];
+        family.fill_enclosures(enclosures.data());
+        for (std::size_t i = 0; i < count; ++i) {
+            out.kernels[first + i].packets[static_cast<std::size_t>(Isa::avx2)] = avx2[i];
+            out.kernels[first + i].enclosures = enclosures[i];
+        }
     }
     for (std::size_t i = 0; i < out.types.size(); ++i) out.types[i].kernels = &out.kernels[i];
     return out;

@@ -13,7 +13,7 @@
 #include "engine/program/compile.h"
 #include "engine/program/raster.h"
 #include "engine/scene/catalog.h"
-#include "engine/sdf/make_kernels.h"
+#include "engine/sdf/own_node.h"
 
 using namespace pinfield;
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "engine/reflect/catalogue.h"
-#include "engine/sdf/make_kernels.h"
+#include "engine/sdf/own_node.h"
 
 namespace pinfield::conformance {
 

@@ -73,6 +73,8 @@ const std::vector<PlantedFault>& planted_faults() {
         {"partial derivatives of something else", "a fold's partial derivatives are its differences", checked<WrongPartials>},
         {"an affine form of something else", "a modifier is what its affine form says", checked<WrongAffine>},
         {"a warp's packets off", "a warp's packets send points where the warp does", checked<WarpPacketsOff>},
+        {"a branch by one number of many", "an enclosure over a box holds the samples in it", checked<BranchesByMiddle>},
+        {"a Lipschitz constant too small", "no enclosure of the gradient refutes the Lipschitz constant", checked<WrongLipschitz>},
         {"a value apart from its gradient's", "the value alone is the value with its gradient", value_apart_from_gradient},
         {"an instruction set of its own mind", "every instruction set gives the same bits", last_of_a_tail},
 

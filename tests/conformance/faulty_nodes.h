@@ -217,4 +217,16 @@ struct WarpPacketsOff {
     }
 };
 
+/// The end of a wall that runs along +x, which branches by one number that it makes of a Real: of a box it sees one side only.
+template <class Real>
+struct BranchesByMiddle {
+    Real distance(const Point<Real>& p) const {
+        const Real beyond = norm(p) - Real(r), beside = abs(p.y) - Real(r);
+        if constexpr (requires { frozen(p.x).lo; }) return frozen(p.x).lo + frozen(p.x).hi < 0 ? beyond : beside;
+        else return select(p.x < Real(0), beyond, beside);
+    }
+    Box2 bounds() const { return {{-r, -r}, {infinity, r}}; }
+    static constexpr auto describe() { return shape<BranchesByMiddle>({.key = "branches_by_middle"}, fields()); }
+};
+
 }  // namespace pinfield::sdf::faulty

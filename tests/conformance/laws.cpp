@@ -32,6 +32,8 @@ constexpr std::array all_laws{
     Law{"a fold's partial derivatives are its differences", fold_partials_are_weights_of_differences},
     Law{"a modifier is what its affine form says", modify_is_what_its_affine_form_says},
     Law{"the exactness at defaults is as described", exactness_at_defaults_is_as_described},
+    Law{"an enclosure over a box holds the samples in it", enclosures_hold_the_samples},
+    Law{"no enclosure of the gradient refutes the Lipschitz constant", enclosures_do_not_refute_the_lipschitz_constant},
 };
 
 constexpr std::size_t most_reported = 3;  // of one law for one subject

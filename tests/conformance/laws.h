@@ -78,4 +78,7 @@ void fold_partials_are_weights_of_differences(const Trial& trial);
 void modify_is_what_its_affine_form_says(const Trial& trial);
 void exactness_at_defaults_is_as_described(const Trial& trial);
 
+void enclosures_hold_the_samples(const Trial& trial);
+void enclosures_do_not_refute_the_lipschitz_constant(const Trial& trial);
+
 }  // namespace pinfield::conformance

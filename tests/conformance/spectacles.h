@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/scene/catalog.h"
-#include "engine/sdf/make_kernels.h"
+#include "engine/sdf/own_node.h"
 
 namespace pinfield::sdf {
 

@@ -24,6 +24,7 @@ public:
     const double* params() const { return params_.data(); }
     const std::vector<Value>& values() const { return values_; }
     const std::vector<Subject>& children() const { return children_; }
+    const Similarity& parent_from_local() const { return parent_from_local_; }
     bool is_shape() const { return kernels().form == sdf::Form::shape; }
     /// "box {size: [0.1, 0.05], round: 0} over circle {...}", for messages.
     std::string text() const;

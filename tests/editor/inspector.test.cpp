@@ -115,7 +115,7 @@ scene:
         {"disc", {"exact on both sides", "L = 1"}, {"boundary known", "bound on both sides"}},
         {"wedge", {"bound outside", "exact inside", "L = 1"}, {"boundary known", "exact outside"}},
         {"goo", {"bound on both sides", "L = 1"}, {"boundary known", "exact outside"}},
-        {"drop", {"right to 1e-7 of its size", "boundary fitted", "L = 1"}, {"boundary known", "exact on both sides", "bound on both sides"}},
+        {"drop", {"right to 11 nm", "boundary fitted", "L = 1"}, {"boundary known", "exact on both sides", "bound on both sides"}},
         {"start", {"start"}, {"exact on both sides", "bound on both sides", "L = 1"}},
     };
     for (const Case& c : cases) {

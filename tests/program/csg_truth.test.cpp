@@ -17,6 +17,7 @@ using namespace pinfield::test;
 namespace {
 
 constexpr double around = 1e-7;     ///< metres, from a candidate to the places that are asked
+constexpr double feeler = 1e-5;     ///< metres, along curves that touch: they part by its square, far more than rounding
 constexpr double touching = 1e-13;  ///< square metres: below it a chord's half, whose root would magnify rounding, counts as 0
 
 /// The line or circle that a piece of an outline is part of.
@@ -133,7 +134,27 @@ struct Oracle {
         return angles;
     }
 
-    /// Inside and outside both reach c: asks halfway between the directions of the curves through it.
+    /// Where the curves through c are a little way from it, by their angle there.
+    std::vector<std::pair<double, Vec2>> feelers_at(const Vec2& c) const {
+        std::vector<std::pair<double, Vec2>> feelers;
+        const auto feel = [&](const Vec2& p) { feelers.emplace_back(std::atan2(p.y() - c.y(), p.x() - c.x()), p); };
+        for (const Curve& curve : curves)
+            for (const double way : {-feeler, feeler}) {
+                if (curve.radius > 0) {
+                    const Vec2 ray = c - curve.at;
+                    const double turn = way / curve.radius;
+                    if (std::fabs(length(ray) - curve.radius) > 1e-10) continue;
+                    feel(curve.at + (curve.radius / length(ray)) * (std::cos(turn) * ray + std::sin(turn) * perpendicular(ray)));
+                } else if (std::fabs(cross(c - curve.at, curve.along)) <= 1e-10) {
+                    feel(curve.at + (dot(c - curve.at, curve.along) + way) * curve.along);
+                }
+            }
+        std::sort(feelers.begin(), feelers.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
+        return feelers;
+    }
+
+    /// Inside and outside both reach c: asks halfway between the directions of the curves through it. Where curves touch there may be a
+    /// cusp, which has no direction of its own: asks between them, a little way off.
     bool on_boundary(const Vec2& c) const {
         const std::vector<double> angles = angles_at(c);
         bool in = false, out = false;
@@ -142,6 +163,13 @@ struct Oracle {
             if (next - angles[i] < 1e-6) continue;
             const double middle = 0.5 * (angles[i] + next);
             (inside(root, c + around * Vec2(std::cos(middle), std::sin(middle))) ? in : out) = true;
+        }
+        if (in && out) return true;
+        const std::vector<std::pair<double, Vec2>> feelers = feelers_at(c);
+        for (std::size_t i = 0; i + 1 < feelers.size(); ++i) {
+            const Vec2 &a = feelers[i].second, &b = feelers[i + 1].second;
+            if (length(a - b) > 0.01 * feeler || length(a - b) < 1e-12) continue;
+            (inside(root, 0.5 * (a + b)) ? in : out) = true;
         }
         return in && out;
     }

@@ -45,6 +45,21 @@ TEST_CASE("every pixel of a raster is the union's value there, for each instruct
     }
 }
 
+TEST_CASE("deep in two solids that overlap each pixel is the deeper one's, whichever comes first") {
+    Scene scene(catalogue());
+    set(scene.table(), "size", Vec2(1, 1));
+    for (const double x : {0.4, 0.6, 0.4}) add(scene, "circle", {}, {{"radius", 0.35}, {"at", Vec2(x, 0.5)}});
+    const ProgramPtr program = compiled(scene);
+    Raster raster{1000, 1000, Box2::of({0, 0}, {1, 1}), {}, {}};
+    rasterize(program->fixed, ground_layer, sdf::best_isa(), raster);
+    double worst = 0;
+    for (int x = 0; x < raster.width; ++x) {
+        const double truth = least_tree_value(program->fixed, pixel_centre(raster, x, 500));
+        worst = std::max(worst, std::fabs(truth - static_cast<double>(raster.distance[static_cast<std::size_t>(500 * raster.width + x)])));
+    }
+    CHECK(worst < 2e-6);
+}
+
 TEST_CASE("a pixel in a solid shows the material of the leaf that it belongs to") {
     Scene scene(catalogue());
     set(scene.table(), "size", Vec2(1, 1));

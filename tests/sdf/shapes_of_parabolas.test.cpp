@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "engine/sdf/make_kernels.h"
 #include "engine/sdf/nodes/blobby_cross.h"
 #include "engine/sdf/nodes/box.h"
 #include "engine/sdf/nodes/hyperbola.h"
@@ -11,6 +10,7 @@
 #include "engine/sdf/nodes/parabola_segment.h"
 #include "engine/sdf/nodes/quadratic_bezier.h"
 #include "engine/sdf/nodes/quadratic_circle.h"
+#include "engine/sdf/own_node.h"
 #include "tests/sdf/support.h"
 
 namespace pinfield::sdf {

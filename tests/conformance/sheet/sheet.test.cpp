@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "engine/sdf/make_kernels.h"
+#include "engine/sdf/own_node.h"
 #include "engine/sdf/register.h"
 #include "tests/conformance/brute_force.h"
 #include "tests/conformance/faulty_nodes.h"

@@ -1,0 +1,57 @@
+// From a node's struct template to its Enclosures: the node's own formula over intervals.
+#pragma once
+#include <concepts>
+
+#include "engine/reflect/load.h"
+#include "engine/sdf/interval_box.h"
+#include "engine/sdf/interval_dual.h"
+#include "engine/sdf/node_list.h"
+#include "engine/sdf/packet_kernels.h"
+
+namespace pinfield::sdf {
+
+namespace detail {
+
+inline Point<IntervalDual> with_slopes(const IntervalBox& p) {
+    return {{p.x, Interval(1), Interval(0)}, {p.y, Interval(0), Interval(1)}};
+}
+inline IntervalSample sample_of(const IntervalDual& d) { return {d.v, d.dx, d.dy}; }
+
+}  // namespace detail
+
+template <template <class> class N>
+Enclosures enclosures() {
+    using T = N<Interval>;
+    using D = N<IntervalDual>;
+    Enclosures out;
+    if constexpr (HasOutlineOnly<D> || requires(const D& node, const Point<IntervalDual>& p) { node.distance(p); }) {
+        out.distance = [](const double* params, const IntervalBox& p) { return shape_distance<T, Interval>(load<T>(params), params, p); };
+        out.sample = [](const double* params, const IntervalBox& p) {
+            return detail::sample_of(shape_distance<D, IntervalDual>(load<D>(params), params, detail::with_slopes(p)));
+        };
+    } else if constexpr (requires(const D& node, const IntervalDual& d) { node.combine(d, d); }) {
+        out.combine = [](const double* params, const Interval& a, const Interval& b) {
+            const Interval one(1), none(0);
+            return detail::sample_of(load<D>(params).combine(IntervalDual(a, one, none), IntervalDual(b, none, one)));
+        };
+    } else if constexpr (requires(const D& node, const IntervalDual& d) { node.modify(d); }) {
+        out.modify = [](const double* params, const Interval& d) {
+            return detail::sample_of(load<D>(params).modify(IntervalDual(d, Interval(1), Interval(0))));
+        };
+    } else if constexpr (requires(const D& node, const Point<IntervalDual>& p) { node.warp(p); }) {
+        out.warped = [](const double* params, const IntervalBox& p) -> IntervalWarped {
+            const D node = load<D>(params);
+            const Point<IntervalDual> at = detail::with_slopes(p), to = node.warp(at);
+            return {detail::sample_of(to.x), detail::sample_of(to.y), detail::sample_of(lift_of<D, IntervalDual>(node, at))};
+        };
+    }
+    return out;
+}
+
+/// Those of a whole list, in its order.
+template <template <class> class... N>
+void fill_enclosures(NodeList<N...>, Enclosures* out) {
+    ((*out++ = enclosures<N>()), ...);
+}
+
+}  // namespace pinfield::sdf
