@@ -31,15 +31,16 @@ inline constexpr double horizon_reaches = 100;
 
 struct FoundLeaves {
     std::vector<LeafImage> leaves;
+    std::vector<int> lattice_copies;  ///< how many copies of its child each lattice counts, in the same order
     double horizon = infinity;  ///< metres from the origin, within which half planes' lines are whole
 };
 /// All appearances below an op, in the order a walk of the tree meets them: shapes with outlines, half planes, and round, inset and onion of
-/// such, under union, intersection, difference, xor, complement and images; whatever else is there is traced as a whole. Empty when
+/// such, under union, intersection, difference, xor, complement, images, and lattices within finite bounds; whatever else is there is traced as a whole. Empty when
 /// some of that cannot be.
 FoundLeaves leaf_images(const Field& field, int root);
 
 /// Is a point in the tree's solid, given for each appearance whether it is in that one?
-bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf);
+bool is_in_tree(const Field& field, int root, const std::vector<int>& lattice_copies, const std::vector<char>& in_leaf);
 
 struct FoundBoundary {
     std::vector<OwnedPiece> pieces;
@@ -51,6 +52,6 @@ FoundBoundary boundary_below(const Field& field, int root);
 
 /// The boundary of the tree's solid: every outline is cut where others meet it, and those cuts stay that have the solid
 /// on one side only, turned so that it is the left one.
-std::vector<OwnedPiece> boundary_of(const Field& field, int root, const std::vector<LeafImage>& leaves);
+std::vector<OwnedPiece> boundary_of(const Field& field, int root, const FoundLeaves& found);
 
 }  // namespace pinfield

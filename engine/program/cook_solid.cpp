@@ -11,6 +11,7 @@
 #include "engine/reflect/erase.h"
 #include "engine/sdf/nodes/box.h"
 #include "engine/sdf/operations/complement.h"
+#include "engine/sdf/operations/repeat.h"
 #include "engine/sdf/operations/union.h"
 #include "engine/sdf/outline_path.h"
 #include "engine/sdf/register.h"
@@ -43,7 +44,8 @@ public:
              const std::vector<int>& children);
 
 private:
-    int exact_below_offset(int child, const sdf::Affine& offset);
+    int by_its_boundary(int child);
+    int with_neighbours(int child, const sdf::Lattice& lattice, NodeId origin, const Similarity& field_from_op);
     void bound(Op& op, const Similarity& field_from_op);
     int material_of(NodeId id) const;
 
@@ -64,15 +66,18 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
     if (const auto broken = broken_contract(*node.type, block.data()))
         kitchen_.problems.push_back(diagnose(Code::broken_contract, node.key, std::string(*broken)));
     kernels.derive(block.data());
-    if (kernels.affine && !children.empty()) children[0] = exact_below_offset(children[0], kernels.affine(block.data()));
+    // An offset of a bound is the offset of some other figure.
+    if (kernels.affine && !children.empty()) {
+        const Exactness& below = field_.ops[static_cast<std::size_t>(children[0])].exactness;
+        if (!offset_is_exact(below, kernels.affine(block.data()))) children[0] = by_its_boundary(children[0]);
+    }
+    if (kernels.lattice) children[0] = with_neighbours(children[0], kernels.lattice(block.data()), id, field_from_node);
     return emit(kernels, std::move(block), id, field_from_node, children);
 }
 
-/// An offset of a bound is the offset of some other figure. Where a tree's field is only a bound on the side that the offset looks at, its
-/// boundary takes its place, if it has one.
-int Emitter::exact_below_offset(int child, const sdf::Affine& offset) {
+/// The tree's boundary in its place, if it has one: the true distance instead of a bound.
+int Emitter::by_its_boundary(int child) {
     const Op tree = field_.ops[static_cast<std::size_t>(child)];
-    if (offset_is_exact(tree.exactness, offset)) return child;
     const FoundBoundary found = boundary_below(field_, child);
     if (found.pieces.empty() || found.horizon < infinity) return child;
     sdf::Outline outline;
@@ -83,6 +88,28 @@ int Emitter::exact_below_offset(int child, const sdf::Affine& offset) {
     const int boundary = emit(sdf::boundary_kernels(), std::move(block), tree.origin, Similarity{}, {child});
     field_.ops[static_cast<std::size_t>(boundary)].bounds = tree.bounds.is_finite() ? sdf::bounds_of(outline) : tree.bounds;
     return boundary;
+}
+
+/// The child together with those of its copies that a point of the lattice's middle cell must ask. Which are nearest is known of true
+/// distances only: a bound's least value may be that of a copy farther away.
+int Emitter::with_neighbours(int child, const sdf::Lattice& lattice, NodeId origin, const Similarity& field_from_op) {
+    const Op& below = field_.ops[static_cast<std::size_t>(child)];
+    const Box2 box = field_from_op.inverse() * below.bounds;
+    const Span& place = scene_.find(origin)->key;
+    if (!box.is_empty() && !box.is_finite()) {
+        kitchen_.problems.push_back(diagnose(Code::broken_contract, place, "what has no end cannot be repeated without end"));
+        return child;
+    }
+    const auto [columns, rows] = lattice.neighbours(box);
+    if ((2 * columns + 1) * (2 * rows + 1) > sdf::Repeat<double>::most_copies) {
+        kitchen_.problems.push_back(
+            diagnose(Code::broken_contract, place, "the child reaches over too many cells: more than 1024 of its copies overlap"));
+        return child;
+    }
+    if (below.exactness.outside != Side::exact) child = by_its_boundary(child);
+    const sdf::Repeat<double> around{.count = {2.0 * columns + 1, 2.0 * rows + 1}, .step = {lattice.step.x(), lattice.step.y()}};
+    const NodeType& type = *scene_.catalogue().find(sdf::Repeat<double>::describe().meta.key);
+    return emit(*type.kernels, pack(type, values_of(around)), origin, field_from_op, {child});
 }
 
 int Emitter::emit_part_shape(const Node& node, const Similarity& field_from_node) {

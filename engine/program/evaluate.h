@@ -53,9 +53,14 @@ std::vector<BlendWeight> blend_weights(const Field& field, int op, const Vec2& p
 /// Distance from p to a boundary piece, unsigned, with the foot point.
 double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot);
 
-/// Raw tree distances of the union at n points, float packets of the best instruction set; `solid` (may be null) receives
-/// the winner's index. Only the solids listed in `candidates` take part.
-void evaluate_packets(const Field& field, std::span<const int> candidates, const float* x, const float* y, int n,
+/// A solid to ask in packets. Where a packed outline (outline_distance.h) is given it tells how far, and the formula only on which side.
+struct PacketSolid {
+    int solid = 0;
+    const double* outline = nullptr;
+};
+/// Distances of the union of the candidates at n points, float packets of an instruction set; `solid` (may be null) receives the winner's
+/// index.
+void evaluate_packets(const Field& field, std::span<const PacketSolid> candidates, const float* x, const float* y, int n,
                       float* distance, int* solid, sdf::Isa isa);
 
 }  // namespace pinfield

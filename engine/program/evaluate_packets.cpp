@@ -1,9 +1,11 @@
-// Raw tree values at many points, in float packets. No allocation: every level of a tree keeps its rows on the stack.
+// Distances of solids at many points, in float packets. No allocation: every level of a tree keeps its rows on the stack.
 #include <algorithm>
 #include <array>
 #include <xsimd/xsimd.hpp>
 
 #include "engine/program/evaluate.h"
+#include "engine/program/field.h"
+#include "engine/sdf/register.h"
 
 namespace pinfield {
 namespace {
@@ -55,6 +57,13 @@ class Evaluator {
 public:
     Evaluator(const Field& field, sdf::Isa isa) : field_(field), isa_(static_cast<std::size_t>(isa)) {}
 
+    void value(const PacketSolid& candidate, const Points& p, float* out) const {
+        const int root = field_.solids[static_cast<std::size_t>(candidate.solid)].root;
+        if (!candidate.outline) return value(root, p, out);
+        packets(sdf::boundary_kernels()).distance(candidate.outline, sdf::PacketFrame{}, p.x, p.y, out, p.n);
+        take_side(root, p, out);
+    }
+
     void value(int op_index, const Points& p, float* out) const {
         const Op& op = field_.ops[static_cast<std::size_t>(op_index)];
         switch (op.kernels->form) {
@@ -70,17 +79,25 @@ private:
     const double* params(const Op& op) const { return field_.params.data() + op.params; }
     int child(const Op& op, int i) const { return field_.links[static_cast<std::size_t>(op.first_link + i)]; }
     /// A node that was not built for this instruction set (one of the user's own, say) has the baseline's kernels.
-    sdf::PacketKernels packets(const Op& op) const {
-        const sdf::PacketKernels& own = op.kernels->packets[isa_];
-        return own.distance || own.combine || own.warp ? own : op.kernels->packets[static_cast<std::size_t>(sdf::Isa::sse2)];
+    sdf::PacketKernels packets(const sdf::Kernels& kernels) const {
+        const sdf::PacketKernels& own = kernels.packets[isa_];
+        return own.distance || own.combine || own.warp ? own : kernels.packets[static_cast<std::size_t>(sdf::Isa::sse2)];
     }
 
     void shape(const Op& op, const Points& p, float* out) const {
-        packets(op).distance(params(op), frame_of(op.local_from_field, op.scale), p.x, p.y, out, p.n);
+        packets(*op.kernels).distance(params(op), frame_of(op.local_from_field, op.scale), p.x, p.y, out, p.n);
+        if (is_boundary(op)) take_side(child(op, 0), p, out);
+    }
+
+    /// A boundary may have pieces shorter than a float's rounding, which have no direction in floats: the tree's formula tells the side.
+    void take_side(int tree, const Points& p, float* out) const {
+        Row side;
+        value(tree, p, side.data());
+        for (int i = 0; i < p.n; ++i) out[i] = std::copysign(out[i], side[static_cast<std::size_t>(i)]);
     }
 
     void combine(const Op& op, const Points& p, float* out) const {
-        const sdf::PacketCombine kernel = packets(op).combine;
+        const sdf::PacketCombine kernel = packets(*op.kernels).combine;
         value(child(op, 0), p, out);
         scale_row(out, p.n, 1 / op.scale);
         if (op.kernels->form == sdf::Form::modify) kernel(params(op), out, out, p.n);
@@ -96,7 +113,7 @@ private:
     void warp(const Op& op, const Points& p, float* out) const {
         Row x, y, lift, there_x, there_y;
         transform(op.local_from_field, p, x, y);
-        packets(op).warp(params(op), x.data(), y.data(), lift.data(), p.n);
+        packets(*op.kernels).warp(params(op), x.data(), y.data(), lift.data(), p.n);
         transform(op.local_from_field.inverse(), {x.data(), y.data(), p.n}, there_x, there_y);
         value(child(op, 0), {there_x.data(), there_y.data(), p.n}, out);
         const float factor = static_cast<float>(op.kernels->factor(params(op))), scale = static_cast<float>(op.scale);
@@ -154,23 +171,22 @@ private:
 
 }  // namespace
 
-void evaluate_packets(const Field& field, std::span<const int> candidates, const float* x, const float* y, int n,
+void evaluate_packets(const Field& field, std::span<const PacketSolid> candidates, const float* x, const float* y, int n,
                       float* distance, int* solid, sdf::Isa isa) {
     const Evaluator evaluator(field, isa);
     Row padded, d;
     for (int start = 0; start < n; start += block) {
         const int count = std::min(block, n - start);
         const PaddedPoints points(x + start, y + start, count);
-        const auto root = [&](int candidate) { return field.solids[static_cast<std::size_t>(candidate)].root; };
         const bool is_whole = count % width == 0;  // else the last batch would be written beyond the caller's end
         float* best = is_whole ? distance + start : padded.data();
         if (candidates.empty()) std::fill_n(best, count, std::numeric_limits<float>::infinity());
-        else evaluator.value(root(candidates[0]), points.get(), best);
-        if (solid) std::fill_n(solid + start, count, candidates.empty() ? -1 : candidates[0]);
+        else evaluator.value(candidates[0], points.get(), best);
+        if (solid) std::fill_n(solid + start, count, candidates.empty() ? -1 : candidates[0].solid);
         for (std::size_t k = 1; k < candidates.size(); ++k) {
-            evaluator.value(root(candidates[k]), points.get(), d.data());
+            evaluator.value(candidates[k], points.get(), d.data());
             if (solid)
-                take_minimum(d.data(), candidates[k], count, best, solid + start);
+                take_minimum(d.data(), candidates[k].solid, count, best, solid + start);
             else
                 take_minimum(d.data(), count, best);
         }

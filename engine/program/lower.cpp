@@ -41,16 +41,19 @@ bool is_boolean(const sdf::Kernels& kernels, const double* params) {
     return false;
 }
 
-/// A walk of a tree for its leaves. What was traced once is copied where images show it again.
+/// A walk of a tree for its leaves. What was traced once is copied where images show it again; of lattices those copies count that meet
+/// the solid's bounds.
 class LeafCollector {
 public:
-    explicit LeafCollector(const Field& field) : field_(field) {}
+    LeafCollector(const Field& field, const Box2& bounds) : field_(field), bounds_(bounds) {}
 
     /// False when something below the op has no outline and cannot be traced.
     bool collect(int index, const Similarity& chain);
     std::vector<LeafImage> leaves;
+    std::vector<int> lattice_copies;  ///< in the order of the walk
 
 private:
+    bool collect_lattice(int index, const Similarity& chain);
     bool add_shape(int index, const Similarity& chain);
     bool add_half_plane(int index, const Similarity& chain);
     bool add_offset(int index, const Similarity& chain);
@@ -58,8 +61,16 @@ private:
     bool add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, double error = 0);
 
     const Field& field_;
+    Box2 bounds_;
     std::map<int, TracedBoundary> traced_;
 };
+
+int child_of(const Field& field, const Op& op, int i) { return field.links[static_cast<std::size_t>(op.first_link + i)]; }
+
+/// What stands in every cell: the child of the op that unites it with its neighbours.
+int child_in_cells(const Field& field, const Op& lattice) {
+    return child_of(field, field.ops[static_cast<std::size_t>(child_of(field, lattice, 0))], 0);
+}
 
 bool LeafCollector::add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, double error) {
     if (pieces.empty()) return false;
@@ -109,8 +120,26 @@ bool LeafCollector::add_half_plane(int index, const Similarity& chain) {
     return true;
 }
 
+bool LeafCollector::collect_lattice(int index, const Similarity& chain) {
+    if (!bounds_.is_finite()) return false;
+    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    const int child = child_in_cells(field_, op);
+    const Similarity field_from_local = op.local_from_field.inverse();
+    const auto offsets = op.kernels->lattice(field_.params.data() + op.params)
+                             .offsets_meeting((chain * field_from_local).inverse() * bounds_,
+                                              op.local_from_field * field_.ops[static_cast<std::size_t>(child)].bounds);
+    if (!offsets) return false;
+    lattice_copies.push_back(static_cast<int>(offsets->size()));
+    for (const Vec2& offset : *offsets) {
+        const Vec2 in_field = field_from_local.scale * field_from_local.direction(offset);
+        if (!collect(child, chain * Similarity::translation(in_field))) return false;
+    }
+    return true;
+}
+
 bool LeafCollector::collect(int index, const Similarity& chain) {
     const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    if (op.kernels->lattice) return collect_lattice(index, chain);
     if (is_boundary(op)) return collect(field_.links[static_cast<std::size_t>(op.first_link)], chain);
     if (!is_boolean(*op.kernels, field_.params.data() + op.params))
         return op.kernels->form == Form::modify ? add_offset(index, chain) : add_traced(index, chain);
@@ -128,33 +157,36 @@ bool LeafCollector::collect(int index, const Similarity& chain) {
 }
 
 /// Walks the tree as LeafCollector does; a field of -1 stands for inside and 1 for outside.
-double membership(const Field& field, int index, const std::vector<char>& in_leaf, std::size_t& next) {
-    const Op& op = field.ops[static_cast<std::size_t>(index)];
-    const double* params = field.params.data() + op.params;
-    const auto child = [&](int i) {
-        return membership(field, field.links[static_cast<std::size_t>(op.first_link + i)], in_leaf, next);
-    };
-    if (is_boundary(op)) return child(0);
-    switch (op.kernels->form) {
-        case Form::shape: return in_leaf[next++] ? -1.0 : 1.0;
-        case Form::fold: {
-            if (!is_boolean(*op.kernels, params)) return in_leaf[next++] ? -1.0 : 1.0;
-            double value = child(0);
-            for (int i = 1; i < op.child_count; ++i) value = op.kernels->combine(params, value, child(i));
-            return value;
-        }
-        case Form::modify:
-            if (!is_boolean(*op.kernels, params)) return in_leaf[next++] ? -1.0 : 1.0;
-            return op.kernels->affine(params).sign * child(0);
-        case Form::images: {
-            double value = 1;
-            for (int i = 0; i < op.image_count; ++i) value = std::min(value, child(0));
-            return value;
-        }
-        case Form::warp: return in_leaf[next++] ? -1.0 : 1.0;
+class Membership {
+public:
+    Membership(const Field& field, const std::vector<int>& lattice_copies, const std::vector<char>& in_leaf)
+        : field_(field), lattice_copies_(lattice_copies), in_leaf_(in_leaf) {}
+
+    double of(int index) {
+        const Op& op = field_.ops[static_cast<std::size_t>(index)];
+        const double* params = field_.params.data() + op.params;
+        if (op.kernels->lattice) return united(child_in_cells(field_, op), lattice_copies_[next_lattice_++]);
+        if (is_boundary(op)) return of(child_of(field_, op, 0));
+        if (op.kernels->form == Form::shape || !is_boolean(*op.kernels, params)) return in_leaf_[next_leaf_++] ? -1.0 : 1.0;
+        if (op.kernels->form == Form::images) return united(child_of(field_, op, 0), op.image_count);
+        if (op.kernels->form == Form::modify) return op.kernels->affine(params).sign * of(child_of(field_, op, 0));
+        double value = of(child_of(field_, op, 0));
+        for (int i = 1; i < op.child_count; ++i) value = op.kernels->combine(params, value, of(child_of(field_, op, i)));
+        return value;
     }
-    return 1;
-}
+
+private:
+    double united(int child, int copies) {
+        double value = 1;
+        for (int i = 0; i < copies; ++i) value = std::min(value, of(child));
+        return value;
+    }
+
+    const Field& field_;
+    const std::vector<int>& lattice_copies_;
+    const std::vector<char>& in_leaf_;
+    std::size_t next_leaf_ = 0, next_lattice_ = 0;
+};
 
 /// Gives half planes the length that is needed; the horizon: how far from the origin that is.
 double cut_at_horizon(std::vector<LeafImage>& leaves) {
@@ -177,28 +209,27 @@ double cut_at_horizon(std::vector<LeafImage>& leaves) {
 }  // namespace
 
 FoundLeaves leaf_images(const Field& field, int root) {
-    LeafCollector collector(field);
+    LeafCollector collector(field, field.ops[static_cast<std::size_t>(root)].bounds);
     if (!collector.collect(root, Similarity{})) return {};
     const double horizon = cut_at_horizon(collector.leaves);
-    return {std::move(collector.leaves), horizon};
+    return {std::move(collector.leaves), std::move(collector.lattice_copies), horizon};
 }
 
-bool is_in_tree(const Field& field, int root, const std::vector<char>& in_leaf) {
-    std::size_t next = 0;
-    return membership(field, root, in_leaf, next) < 0;
+bool is_in_tree(const Field& field, int root, const std::vector<int>& lattice_copies, const std::vector<char>& in_leaf) {
+    return Membership(field, lattice_copies, in_leaf).of(root) < 0;
 }
 
 FoundBoundary boundary_below(const Field& field, int root) {
-    const auto [leaves, horizon] = leaf_images(field, root);
-    if (leaves.empty()) {
+    const FoundLeaves found = leaf_images(field, root);
+    if (found.leaves.empty()) {
         TracedBoundary traced = traced_boundary(field, root);
         return {std::move(traced.pieces), traced.error};
     }
     double error = 0;
-    for (const LeafImage& leaf : leaves) error = std::max(error, leaf.error);
+    for (const LeafImage& leaf : found.leaves) error = std::max(error, leaf.error);
     // What has an end has it within the reach of what is not endless.
     const bool ends = field.ops[static_cast<std::size_t>(root)].bounds.is_finite();
-    return {boundary_of(field, root, leaves), error, ends ? infinity : horizon};
+    return {boundary_of(field, root, found), error, ends ? infinity : found.horizon};
 }
 
 void lower(Field& field, int index) {

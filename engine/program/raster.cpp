@@ -7,6 +7,7 @@
 #include <array>
 #include <cstring>
 
+#include "engine/program/drawn_solids.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
 
@@ -49,10 +50,10 @@ public:
 
     static constexpr int mixed = -1;
     /// The material that all of these solids are made of, or `mixed`.
-    int shared_by(std::span<const int> solids) const {
-        const int first = of_solid_[static_cast<std::size_t>(solids[0])];
+    int shared_by(std::span<const PacketSolid> solids) const {
+        const int first = of_solid_[static_cast<std::size_t>(solids[0].solid)];
         const bool same = std::all_of(solids.begin(), solids.end(),
-                                      [&](int s) { return of_solid_[static_cast<std::size_t>(s)] == first; });
+                                      [&](const PacketSolid& s) { return of_solid_[static_cast<std::size_t>(s.solid)] == first; });
         return same ? first : mixed;
     }
 
@@ -68,7 +69,7 @@ struct Tile {
 class Tiler {
 public:
     Tiler(const Field& field, sdf::Isa isa, Raster& raster)
-        : field_(field), isa_(isa), raster_(raster), materials_(field) {
+        : field_(field), isa_(isa), raster_(raster), drawn_(field, raster.window), materials_(field) {
         pixel_ = raster.window.size().cwiseQuotient(Vec2(raster.width, raster.height));
     }
 
@@ -83,6 +84,8 @@ public:
             column_x_.push_back(static_cast<float>(raster_.window.lo.x() + (i + 0.5) * pixel_.x()));
         values_.resize(all.size());
         leaf_values_.resize(all.size());
+        clump_outlines_.resize(all.size());
+        leaf_outlines_.resize(all.size());
         kept_ = all;
         split({0, 0, size}, 0);
     }
@@ -102,16 +105,15 @@ private:
         std::size_t best = first;
         for (std::size_t i = first; i < last; ++i) {
             const Solid& solid = field_.solids[static_cast<std::size_t>(kept_[i])];
-            const Exactness& exactness = field_.ops[static_cast<std::size_t>(solid.root)].exactness;
-            const double lipschitz = exactness.lipschitz;
+            const double lipschitz = drawn_.lipschitz(kept_[i]);
             // The box bounds the solid, so outside its distance bounds an exact field from below: far ones need no evaluation. In the
             // box nothing is known, the least value may lie below by any depth.
             const double outside = solid.bounds.distance(centre);
-            if (exactness.outside == Side::exact && outside > 0 && outside - reach > least) {
+            if (drawn_.exceeds_box(kept_[i]) && outside > 0 && outside - reach > least) {
                 values_[i - first] = infinity;
                 continue;
             }
-            const double value = tree_value(field_, solid.root, centre);
+            const double value = drawn_.value(kept_[i], centre);
             values_[i - first] = value - lipschitz * reach;
             if (value + lipschitz * reach < least) least = value + lipschitz * reach, best = i;
         }
@@ -151,11 +153,16 @@ private:
         const double far = std::max(length(raster_.window.lo), length(raster_.window.hi));
         const double reach = 0.5 * leaf_tile * length(pixel_), doubt = 1e-5 * far + 1e-3 * reach;
         least.fill(std::numeric_limits<float>::infinity());
+        const Vec2 centre = centre_of(clump);
         for (std::size_t c = 0; c < candidates.size(); ++c) {
             auto& low = leaf_values_[c];
-            evaluate_packets(field_, candidates.subspan(c, 1), x.data(), y.data(), leaves, low.data(), nullptr, isa_);
-            const Solid& solid = field_.solids[static_cast<std::size_t>(candidates[c])];
-            const double lipschitz = field_.ops[static_cast<std::size_t>(solid.root)].exactness.lipschitz;
+            PacketSolid solid{candidates[c]};
+            if (drawn_.by_boundary(candidates[c])) {
+                keep_near(drawn_.outline(candidates[c]), centre, leaves_a_side * reach, clump_outlines_[c]);
+                solid.outline = clump_outlines_[c].data();
+            }
+            evaluate_packets(field_, std::span(&solid, 1), x.data(), y.data(), leaves, low.data(), nullptr, isa_);
+            const double lipschitz = drawn_.lipschitz(candidates[c]);
             const auto margin = static_cast<float>(lipschitz * reach + doubt);
             for (std::size_t k = 0; k < leaves; ++k) {
                 least[k] = std::min(least[k], low[k] + margin);
@@ -165,15 +172,23 @@ private:
         for (std::size_t k = 0; k < leaves; ++k) {
             if (tiles[k].x >= raster_.width || tiles[k].y >= raster_.height) continue;
             near_leaf_.clear();
-            for (std::size_t c = 0; c < candidates.size(); ++c)
-                if (leaf_values_[c][k] <= least[k]) near_leaf_.push_back(candidates[c]);
+            for (std::size_t c = 0; c < candidates.size(); ++c) {
+                if (!(leaf_values_[c][k] <= least[k])) continue;
+                PacketSolid solid{candidates[c]};
+                if (drawn_.by_boundary(candidates[c])) {
+                    OutlineBlock& outline = leaf_outlines_[near_leaf_.size()];
+                    keep_near(clump_outlines_[c], centre_of(tiles[k]), reach, outline);
+                    solid.outline = outline.data();
+                }
+                near_leaf_.push_back(solid);
+            }
             sample(tiles[k], k / leaves_a_side * leaf_tile * clump_tile + k % leaves_a_side * leaf_tile, near_leaf_);
         }
         write_clump(clump);
     }
 
     /// `at`: where the leaf's first pixel stands in the clump's. Pixels beyond the picture's edges are sampled too.
-    void sample(const Tile& leaf, std::size_t at, std::span<const int> candidates) {
+    void sample(const Tile& leaf, std::size_t at, std::span<const PacketSolid> candidates) {
         for (int j = 0; j < leaf_tile; ++j) {
             std::memcpy(x_.data() + j * leaf_tile, column_x_.data() + leaf.x, leaf_tile * sizeof(float));
             std::fill_n(y_.begin() + j * leaf_tile, leaf_tile,
@@ -214,12 +229,14 @@ private:
     const Field& field_;
     sdf::Isa isa_;
     Raster& raster_;
+    DrawnSolids drawn_;
     Materials materials_;
     Vec2 pixel_;  // metres
     std::vector<int> kept_;  // solids: the lists of the tiles on the way down, one behind the other
     std::vector<double> values_;
     std::vector<std::array<float, leaves>> leaf_values_;
-    std::vector<int> near_leaf_;
+    std::vector<OutlineBlock> clump_outlines_, leaf_outlines_;
+    std::vector<PacketSolid> near_leaf_;
     std::vector<float> column_x_;
     std::array<float, leaf_tile * leaf_tile> x_, y_, distance_;
     std::array<int, leaf_tile * leaf_tile> winner_;
@@ -240,9 +257,10 @@ void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf:
     const Similarity mover_from_world = world_from_mover.inverse();
     const Vec2 pixel = raster.window.size().cwiseQuotient(Vec2(raster.width, raster.height));
     const double reach = 0.5 * leaf_tile * length(pixel);
-    std::vector<int> all;
-    for (std::size_t i = 0; i < mover.field.solids.size(); ++i)
-        if (mover.field.solids[i].visible) all.push_back(static_cast<int>(i));
+    const DrawnSolids drawn(mover.field, Box2::centred(mover.lever, mover.lever).grown(reach));
+    std::vector<PacketSolid> all;
+    for (int i = 0; i < static_cast<int>(mover.field.solids.size()); ++i)
+        if (mover.field.solids[static_cast<std::size_t>(i)].visible) all.push_back({i, drawn.by_boundary(i) ? drawn.outline(i).data() : nullptr});
     const Materials materials(mover.field);
     std::array<float, leaf_tile * leaf_tile> x, y, d;
     std::array<int, leaf_tile * leaf_tile> winner;

@@ -10,7 +10,7 @@ namespace pinfield {
 struct Raster {
     int width = 0, height = 0;
     Box2 window;                    ///< world, metres
-    std::vector<float> distance;    ///< metres; raw tree value of the union
+    std::vector<float> distance;    ///< metres: the least of the solids' distances, each the true one where its boundary is known
     std::vector<std::int16_t> material;  ///< of the winning solid's leaf; -1 where nothing is in reach
 };
 

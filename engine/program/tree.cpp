@@ -37,10 +37,18 @@ double fold_value(const Field& field, const Op& op, const Vec2& p) {
     return value;
 }
 
+/// Can an image be nearer than `best`, in which the child would be seen from `there`? An exact distance outside exceeds that to its box.
+bool may_be_nearer(const Op& child, const Vec2& there, double best) {
+    return child.exactness.outside != Side::exact || child.bounds.distance(there) <= std::max(best, 0.0);
+}
+
 double images_value(const Field& field, const Op& op, const Vec2& p) {
+    const int child = child_of(field, op, 0);
     double value = infinity;
-    for (int i = 0; i < op.image_count; ++i)
-        value = std::min(value, tree_value(field, child_of(field, op, 0), image_of(field, op, i).inverse() * p));
+    for (int i = 0; i < op.image_count; ++i) {
+        const Vec2 there = image_of(field, op, i).inverse() * p;
+        if (may_be_nearer(op_at(field, child), there, value)) value = std::min(value, tree_value(field, child, there));
+    }
     return value;
 }
 
@@ -94,7 +102,9 @@ Traced trace_images(const Field& field, const Op& op, const Vec2& p) {
     best.sample.value = infinity;
     for (int i = 0; i < op.image_count; ++i) {
         const Similarity& image = image_of(field, op, i);
-        Traced seen = trace(field, child_of(field, op, 0), image.inverse() * p);
+        const Vec2 there = image.inverse() * p;
+        if (!may_be_nearer(op_at(field, child_of(field, op, 0)), there, best.sample.value)) continue;
+        Traced seen = trace(field, child_of(field, op, 0), there);
         if (!(seen.sample.value < best.sample.value)) continue;
         seen.sample.gradient = image.direction(seen.sample.gradient);
         best = seen;

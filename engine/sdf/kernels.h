@@ -9,6 +9,7 @@
 #include "engine/reflect/exactness.h"
 #include "engine/sdf/clearance.h"
 #include "engine/sdf/enclosures.h"
+#include "engine/sdf/lattice.h"
 #include "engine/sdf/outline.h"
 
 namespace pinfield::sdf {
@@ -123,6 +124,8 @@ struct Kernels {
     double (*lift)(const double* params, const Vec2& p) = nullptr;
     Warped (*warped)(const double* params, const Vec2& p) = nullptr;
     double (*factor)(const double* params) = nullptr;
+    /// Of a warp that folds the plane into a lattice's middle cell: its child is to be asked together with its neighbours.
+    Lattice (*lattice)(const double* params) = nullptr;
 };
 
 }  // namespace pinfield::sdf

@@ -127,6 +127,8 @@ void fill_warp(Kernels& k) {
         if constexpr (requires(const T& node) { node.factor(); }) return load<T>(params).factor();
         else return 1.0;
     };
+    if constexpr (requires(const T& node) { { node.lattice() } -> std::same_as<Lattice>; })
+        k.lattice = [](const double* params) { return load<T>(params).lattice(); };
 }
 
 }  // namespace detail

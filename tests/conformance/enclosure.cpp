@@ -13,19 +13,30 @@ IntervalSample turned(const Similarity& m, const IntervalSample& s) {
     return {s.value, c * s.dx - sine * dy, sine * s.dx + c * dy};
 }
 
+void take_nearer(IntervalSample& best, const IntervalSample& s) {
+    const sdf::IntervalMask nearer = s.value < best.value;
+    best = {min(s.value, best.value), select(nearer, s.dx, best.dx), select(nearer, s.dy, best.dy)};
+}
+
 IntervalSample nearest_image(const Subject& subject, const IntervalBox& p) {
     IntervalSample best{Interval(infinity), {}, {}};
-    for (const Similarity& local_from_image : subject.kernels().images(subject.params())) {
-        const IntervalSample s = turned(local_from_image, enclosure(subject.children()[0], local_from_image.inverse() * p));
-        const sdf::IntervalMask nearer = s.value < best.value;
-        best = {min(s.value, best.value), select(nearer, s.dx, best.dx), select(nearer, s.dy, best.dy)};
-    }
+    for (const Similarity& local_from_image : subject.kernels().images(subject.params()))
+        take_nearer(best, turned(local_from_image, enclosure(subject.children()[0], local_from_image.inverse() * p)));
+    return best;
+}
+
+/// Of a warp's child and, where it folds into a lattice, of its copies nearby.
+IntervalSample nearest_of_neighbours(const Subject& subject, const IntervalBox& p) {
+    if (!subject.kernels().lattice) return enclosure(subject.children()[0], p);
+    IntervalSample best{Interval(infinity), {}, {}};
+    for (const Vec2& offset : subject.neighbour_offsets())
+        take_nearer(best, enclosure(subject.children()[0], {p.x - Interval(offset.x()), p.y - Interval(offset.y())}));
     return best;
 }
 
 IntervalSample warped(const Subject& subject, const IntervalBox& p) {
     const sdf::IntervalWarped to = subject.kernels().enclosures.warped(subject.params(), p);
-    const IntervalSample s = enclosure(subject.children()[0], {to.x.value, to.y.value});
+    const IntervalSample s = nearest_of_neighbours(subject, {to.x.value, to.y.value});
     const Interval factor(subject.kernels().factor(subject.params()));
     return {factor * s.value + to.lift.value, factor * (to.x.dx * s.dx + to.y.dx * s.dy) + to.lift.dx,
             factor * (to.x.dy * s.dx + to.y.dy * s.dy) + to.lift.dy};

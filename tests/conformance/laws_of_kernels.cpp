@@ -52,7 +52,7 @@ void warp_packets_are_the_warp(const Trial& trial) {
         for (std::size_t i = 0; i < found.x.size(); ++i) {
             const Vec2 p(points.a[i], points.b[i]), q(found.x[i], found.y[i]);
             const double limit = trial.subject.type().meta.float_error * std::max(trial.extent, length(p));
-            if (!(k.factor(trial.subject.params()) * length(q - k.warp(trial.subject.params(), p)) <= limit) ||
+            if (!(missed_by(trial.subject, q, p) <= limit) ||
                 !(std::fabs(found.lift[i] - k.lift(trial.subject.params(), p)) <= limit))
                 trial.report(fmt::format("isa {} of ({}, {})", isa, p.x(), p.y()));
             if (std::bit_cast<std::uint32_t>(found.x[i]) != std::bit_cast<std::uint32_t>(baseline.x[i]) ||

@@ -1,5 +1,7 @@
 #include "tests/conformance/packets.h"
 
+#include <cmath>
+
 #include "engine/core/rng.h"
 
 namespace pinfield::conformance {
@@ -59,6 +61,15 @@ Floats3 warp(const Subject& subject, sdf::Isa isa, const Floats& points) {
     Floats3 out{points.a, points.b, std::vector<float>(points.a.size())};
     k.warp(subject.params(), out.x.data(), out.y.data(), out.lift.data(), static_cast<int>(out.x.size()));
     return out;
+}
+
+double missed_by(const Subject& subject, const Vec2& sent, const Vec2& p) {
+    const sdf::Kernels& k = subject.kernels();
+    Vec2 miss = sent - k.warp(subject.params(), p);
+    const Vec2 step = k.lattice ? k.lattice(subject.params()).step : Vec2(0, 0);
+    for (const int axis : {0, 1})
+        if (step[axis] > 0) miss[axis] = std::remainder(miss[axis], step[axis]);
+    return k.factor(subject.params()) * length(miss);
 }
 
 }  // namespace pinfield::conformance

@@ -101,6 +101,14 @@ Subject child(const Catalogue& catalogue, std::string_view key, Values values, c
 }
 
 Similarity placed(double x, double y, double cosine = 1, double sine = 0) { return {cosine, sine, 1, false, {x, y}}; }
+Similarity scaled(double factor, const Similarity& s) { return {s.cosine, s.sine, factor * s.scale, s.mirrored, factor * s.offset}; }
+
+/// Of a lattice: the factor that makes a length the smaller of its steps, so that its child meets a few of its copies, not thousands.
+double size_in_cells(const NodeType& type, const Values& values, double length) {
+    if (!type.kernels->lattice) return 1;
+    const Vec2 step = type.kernels->lattice(pack(type, values, type.kernels->derived_count).data()).step;
+    return std::min(step.x() > 0 ? step.x() : infinity, step.y() > 0 ? step.y() : infinity) / length;
+}
 
 }  // namespace
 
@@ -137,9 +145,10 @@ std::vector<Subject> subjects_of(const Catalogue& catalogue, const NodeType& typ
     const auto box = [&](double w, double h, const Similarity& at) { return child(catalogue, "box", {Vec2(w, h), 0.0}, at); };
     std::vector<Subject> out;
     if (type.meta.children.max == 1) {
-        out.emplace_back(type, values, std::vector{disc(0.03, placed(0.05, 0.01))});
-        out.emplace_back(type, values, std::vector{box(0.05, 0.02, placed(0.02, 0.01, 0.6, 0.8))});
-        out.emplace_back(type, values, std::vector{child(catalogue, "intersection", {}, placed(0.03, 0),
+        const double size = size_in_cells(type, values, 0.12), large = size_in_cells(type, values, 0.06);
+        out.emplace_back(type, values, std::vector{disc(0.03, scaled(size, placed(0.05, 0.01)))});
+        out.emplace_back(type, values, std::vector{box(0.05, 0.02, scaled(size, placed(0.02, 0.01, 0.6, 0.8)))});
+        out.emplace_back(type, values, std::vector{child(catalogue, "intersection", {}, scaled(large, placed(0.03, 0)),
                                                          {disc(0.04, placed(-0.02, 0)), box(0.05, 0.05, placed(0.02, 0.03))})});
         return out;
     }

@@ -69,7 +69,7 @@ sdf::Sample Subject::local_sample(const Vec2& p) const {
     }
     if (k.form == sdf::Form::warp) {
         const sdf::Warped warped = k.warped(params(), p);
-        const sdf::Sample s = children_[0].sample(warped.point);
+        const sdf::Sample s = nearest_of_neighbours(warped.point);
         return {k.factor(params()) * s.value + warped.lift, warped.gradient(k.factor(params()), s.gradient)};
     }
     sdf::Sample sum = children_[0].sample(p);
@@ -84,6 +84,26 @@ sdf::Sample Subject::local_sample(const Vec2& p) const {
         sum = {f.value, f.by_a * sum.gradient + f.by_b * next.gradient};
     }
     return sum;
+}
+
+std::vector<Vec2> Subject::neighbour_offsets() const {
+    const sdf::Lattice lattice = kernels().lattice(params());
+    const auto [columns, rows] = lattice.neighbours(children_[0].bounds());
+    std::vector<Vec2> out;
+    for (int row = -rows; row <= rows; ++row)
+        for (int column = -columns; column <= columns; ++column) out.push_back(lattice.step.cwiseProduct(Vec2(column, row)));
+    return out;
+}
+
+/// Of a warp's child and, where it folds into a lattice, of its copies nearby.
+sdf::Sample Subject::nearest_of_neighbours(const Vec2& p) const {
+    if (!kernels().lattice) return children_[0].sample(p);
+    sdf::Sample best{infinity, {0, 0}};
+    for (const Vec2& offset : neighbour_offsets()) {
+        const sdf::Sample s = children_[0].sample(p - offset);
+        if (s.value < best.value) best = s;
+    }
+    return best;
 }
 
 Exactness Subject::exactness() const {

@@ -40,9 +40,12 @@ public:
     /// changes the field's values.
     void collect_outline(const Similarity& world_from_parent, sdf::Outline& out) const;
     bool keeps_outlines() const;
+    /// Of a lattice: where the copies stand that a point of its middle cell asks.
+    std::vector<Vec2> neighbour_offsets() const;
 
 private:
     sdf::Sample local_sample(const Vec2& p) const;
+    sdf::Sample nearest_of_neighbours(const Vec2& p) const;
     Box2 bounds_of_isoline(double level) const;
 
     const NodeType* type_;

@@ -3,7 +3,6 @@
 #include <catch2/catch.hpp>
 
 #include "engine/program/evaluate.h"
-#include "engine/program/tree.h"
 #include "engine/scene/playfield.h"
 #include "tests/program/tables.h"
 
@@ -17,32 +16,57 @@ Vec2 pixel_centre(const Raster& r, int x, int y) {
     return {r.window.lo.x() + (x + 0.5) * pixel.x(), r.window.hi.y() - (y + 0.5) * pixel.y()};
 }
 
-double least_tree_value(const Field& field, const Vec2& p) {
+/// Of all visible solids by themselves: each one's true distance where it is known.
+double least_distance(const Field& field, const Vec2& p) {
     double least = infinity;
-    for (const Solid& solid : field.solids) least = std::min(least, tree_value(field, solid.root, p));
+    for (int i = 0; i < static_cast<int>(field.solids.size()); ++i)
+        if (field.solids[static_cast<std::size_t>(i)].visible) least = std::min(least, nearest_of_solid(field, i, p).distance);
     return least;
+}
+
+/// Of an empty raster, once it is filled.
+double worst_error(const Field& field, Raster raster, sdf::Isa isa) {
+    rasterize(field, ground_layer, isa, raster);
+    double worst = 0;
+    for (int y = 0; y < raster.height; ++y)
+        for (int x = 0; x < raster.width; ++x) {
+            const auto drawn = static_cast<double>(raster.distance[static_cast<std::size_t>(y * raster.width + x)]);
+            worst = std::max(worst, std::fabs(least_distance(field, pixel_centre(raster, x, y)) - drawn));
+        }
+    return worst;
 }
 
 }  // namespace
 
-TEST_CASE("every pixel of a raster is the union's value there, for each instruction set") {
+TEST_CASE("every pixel of a raster is the least of the solids' distances there, for each instruction set") {
     Scene scene = playfield(catalogue(), 80);
     RandomTree(scene, 5, false).grow({}, 3);
     const ProgramPtr program = compiled(scene);
     for (const sdf::Isa isa : {sdf::Isa::sse2, sdf::Isa::avx2}) {
         if (isa > sdf::best_isa()) continue;
-        Raster raster{203, 157, Box2::of({-0.1, -0.2}, {0.6, 0.9}), {}, {}};  // not a multiple of a tile
-        rasterize(program->fixed, ground_layer, isa, raster);
-        double worst = 0;
-        for (int y = 0; y < raster.height; ++y)
-            for (int x = 0; x < raster.width; ++x) {
-                const double truth = least_tree_value(program->fixed, pixel_centre(raster, x, y));
-                worst = std::max(
-                    worst, std::fabs(truth - static_cast<double>(
-                                                 raster.distance[static_cast<std::size_t>(y * raster.width + x)])));
-            }
-        CHECK(worst < 2e-6);
+        // Not a multiple of a tile.
+        CHECK(worst_error(program->fixed, Raster{203, 157, Box2::of({-0.1, -0.2}, {0.6, 0.9}), {}, {}}, isa) < 2e-6);
     }
+}
+
+TEST_CASE("around a tree, or what is known by a formula alone, a pixel is the true distance") {
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        INFO(seed);
+        Scene scene(catalogue());
+        RandomTree(scene, seed, seed % 2 == 0).grow({}, 3);
+        CHECK(worst_error(compiled(scene)->fixed, Raster{160, 160, Box2::centred(1, 1), {}, {}}, sdf::best_isa()) < 4e-6);
+    }
+    Scene scene(catalogue());
+    const NodeId twisted = add(scene, "twist", {}, {{"at", Vec2(0.3, 0.3)}, {"radius", 0.2}});
+    add(scene, "star", twisted, {{"outer", 0.2}, {"inner", 0.1}});
+    const NodeId drop = add(scene, "smooth_union", add(scene, "round", {}, {{"radius", 0.005}, {"at", Vec2(0.7, 0.7)}}));
+    add(scene, "box", drop, {{"size", Vec2(0.3, 0.1)}});
+    add(scene, "ellipse", drop, {{"radii", Vec2(0.05, 0.15)}});
+    CHECK(worst_error(compiled(scene)->fixed, Raster{160, 160, Box2::of({0, 0}, {1, 1}), {}, {}}, sdf::best_isa()) < 2e-6);
+    set(*scene.find(twisted), "visible", false);
+    const NodeId around = add(scene, "twist", add(scene, "round", {}, {{"radius", 0.005}, {"at", Vec2(0.3, 0.3)}}), {{"radius", 0.2}});
+    add(scene, "star", around, {{"outer", 0.2}, {"inner", 0.1}});
+    CHECK(worst_error(compiled(scene)->fixed, Raster{160, 160, Box2::of({0, 0}, {1, 1}), {}, {}}, sdf::best_isa()) < 2e-6);
 }
 
 TEST_CASE("deep in two solids that overlap each pixel is the deeper one's, whichever comes first") {
@@ -54,7 +78,7 @@ TEST_CASE("deep in two solids that overlap each pixel is the deeper one's, which
     rasterize(program->fixed, ground_layer, sdf::best_isa(), raster);
     double worst = 0;
     for (int x = 0; x < raster.width; ++x) {
-        const double truth = least_tree_value(program->fixed, pixel_centre(raster, x, 500));
+        const double truth = least_distance(program->fixed, pixel_centre(raster, x, 500));
         worst = std::max(worst, std::fabs(truth - static_cast<double>(raster.distance[static_cast<std::size_t>(500 * raster.width + x)])));
     }
     CHECK(worst < 2e-6);
@@ -87,8 +111,8 @@ TEST_CASE("a mover is laid over the static field where it is") {
     for (int y = 0; y < 200; y += 3)
         for (int x = 0; x < 200; x += 3) {
             const Vec2 p = pixel_centre(raster, x, y);
-            const double truth = std::min(least_tree_value(program->fixed, p),
-                                          least_tree_value(mover.field, world_from_mover.inverse() * p));
+            const double truth = std::min(least_distance(program->fixed, p),
+                                          least_distance(mover.field, world_from_mover.inverse() * p));
             REQUIRE(static_cast<double>(raster.distance[static_cast<std::size_t>(y * 200 + x)]) ==
                     Approx(truth).margin(2e-6));
         }

@@ -13,6 +13,7 @@
 #include "engine/sdf/operations/mirror.h"
 #include "engine/sdf/operations/onion.h"
 #include "engine/sdf/operations/repeat.h"
+#include "engine/sdf/operations/repeat_infinite.h"
 #include "engine/sdf/operations/repeat_polar.h"
 #include "engine/sdf/operations/round.h"
 #include "engine/sdf/operations/smooth_difference.h"
@@ -27,7 +28,7 @@ namespace pinfield::sdf {
 
 using Operations = NodeList<
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
-    Onion, Mirror, Repeat, RepeatPolar, Elongate, Stretch, Twist, Bend, Displace,
+    Onion, Mirror, Repeat, RepeatPolar, RepeatInfinite, Elongate, Stretch, Twist, Bend, Displace,
     Boundary  // last: no node of any table, only compiling one makes use of it
     >;
 

@@ -35,12 +35,13 @@ Truth zero_line_truth(const Trial& trial) {
     ZeroLineOptions options{.leaf = 0.008 * e, .tolerance = zero_line_tolerance * e, .lipschitz = trial.exactness.lipschitz};
     const bool endless = !bounds.is_finite();
     // An odd window, so that the edges of cells fall on no axis.
-    if (!bounds.is_empty()) options.window = endless ? Box2::centred(8.13 * e, 8.07 * e) : bounds.grown(0.0371 * e);
+    const double reach = (trial.subject.kernels().lattice ? 2 : 8) * e;  // nothing is far from a lattice
+    if (!bounds.is_empty()) options.window = endless ? Box2::centred(1.015 * reach, 1.009 * reach) : bounds.grown(0.0371 * e);
     const sdf::Outline chords = bounds.is_empty() ? sdf::Outline{} : zero_line(value_of(trial.subject), options);
     Truth truth{{}, Reference::zero_line};
     for (const Vec2& p : trial.points) {
         const double found = distance_to_outline(p, chords);
-        const double known = endless ? 8 * e - p.cwiseAbs().maxCoeff() : infinity;
+        const double known = endless ? reach - p.cwiseAbs().maxCoeff() : infinity;
         truth.distance.push_back(found < known ? found : std::nan(""));
     }
     return truth;
@@ -128,7 +129,7 @@ double float_error_of(const Trial& trial) {
     const Floats3 warped = warp(subject, sdf::Isa::sse2, points);
     for (std::size_t i = 0; i < warped.x.size(); ++i) {
         const Vec2 p(points.a[i], points.b[i]), q(warped.x[i], warped.y[i]);
-        const double missed = k.factor(subject.params()) * length(q - k.warp(subject.params(), p));
+        const double missed = missed_by(subject, q, p);
         const double lift_missed = std::fabs(warped.lift[i] - k.lift(subject.params(), p));
         largest = std::max(largest, std::max(missed, lift_missed) / std::max(trial.extent, length(p)));
     }
