@@ -83,8 +83,7 @@ void order_of_children_is_no_matter(const Trial& trial) {
         const sdf::Partials f = k.combine_partials(params, a, b), g = k.combine_partials(params, b, a);
         const bool tie = std::fabs(a) == std::fabs(b);  // there either may win
         if (f.value != g.value || (!tie && (f.by_a != g.by_b || f.by_b != g.by_a)))
-            trial.report(fmt::format("({}, {}): {} ({}, {}), the other way round {} ({}, {})", a, b, f.value, f.by_a, f.by_b, g.value, g.by_a,
-                                     g.by_b));
+            trial.report(fmt::format("({}, {}): {} ({}, {}), swapped {} ({}, {})", a, b, f.value, f.by_a, f.by_b, g.value, g.by_a, g.by_b));
     }
     if (trial.subject.children().size() > 2 && slack.below + slack.above > 0) return;
     std::vector<Subject> children = trial.subject.children();

@@ -102,7 +102,8 @@ TEST_CASE("the boundary of a blended lens follows its zero line into the tips") 
             const double disc = 0.5, half = radians(0.5 * degrees), thick = disc * (1 - std::cos(half));
             const Alone alone([&](Scene& scene) {
                 const NodeId both = add(scene, "smooth_intersection", {}, {{"k", 0.2 * thick}, {"family", std::string(family)}});
-                for (const double side : {1.0, -1.0}) add(scene, "circle", both, {{"radius", disc}, {"at", Vec2(0, side * disc * std::cos(half))}});
+                for (const double side : {1.0, -1.0})
+                    add(scene, "circle", both, {{"radius", disc}, {"at", Vec2(0, side * disc * std::cos(half))}});
             });
             REQUIRE(alone.solid().lowered);
             const Vec2 tip = alone.outline_between({0, 0}, {1, 0});
@@ -116,8 +117,9 @@ TEST_CASE("the boundary of a blended lens follows its zero line into the tips") 
             }
             for (int i = 0; i < alone.solid().piece_count; ++i) {  // and leads nowhere else
                 const sdf::Piece& piece = alone.field().pieces[static_cast<std::size_t>(alone.solid().first_piece + i)].piece;
-                const Vec2 q = piece.a.cwiseAbs(), above = alone.outline_between({std::min(q.x(), tip.x()), 0}, {std::min(q.x(), tip.x()), 1});
-                const Vec2 beside = alone.outline_between({0, std::min(q.y(), 0.5 * thick)}, {1, std::min(q.y(), 0.5 * thick)});
+                const Vec2 q = piece.a.cwiseAbs();
+                const double x = std::min(q.x(), tip.x()), y = std::min(q.y(), 0.5 * thick);
+                const Vec2 above = alone.outline_between({x, 0}, {x, 1}), beside = alone.outline_between({0, y}, {1, y});
                 CHECK(std::min(length(q - above), length(q - beside)) < alone.solid().fit_error);
             }
         }
