@@ -77,8 +77,9 @@ Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
     return out;
 }
 
-/// A traced boundary is a hair's breadth off the formula's zero line. The formula itself may know the distance; else the foot is moved
-/// onto that line, which leaves of the error no more than its square.
+/// A traced boundary is a hair's breadth off the formula's zero line, and further at a sharp corner, by one over the sine of how it turns.
+/// The formula itself may know the distance; else the foot is moved onto that line, or into its corner, which leaves of the error no more
+/// than its square.
 Nearest corrected(const Field& field, const Nearest& found, const Vec2& p) {
     if (found.solid < 0 || solid_at(field, found.solid).fit_error == 0) return found;
     const int root = solid_at(field, found.solid).root;
@@ -86,13 +87,21 @@ Nearest corrected(const Field& field, const Nearest& found, const Vec2& p) {
     const sdf::Sample s = evaluate_tree(field, root, p);
     if (std::fabs(s.value - found.distance) <= error && is_certified(field, field.ops[static_cast<std::size_t>(root)], root, p, s))
         return {s.value, s.gradient, found.solid, found.leaf, true};
-    const std::optional<ZeroPoint> foot = zero_point_near(field, root, p - found.distance * found.gradient, size);
-    if (!foot || std::fabs(length(p - foot->at) - std::fabs(found.distance)) > error) return found;
-    Nearest out = found;
-    const double distance = length(p - foot->at);
-    out.distance = found.distance < 0 ? -distance : distance;
-    if (distance > error) out.gradient = (p - foot->at) / out.distance;
-    return out;
+    const Vec2 fitted = p - found.distance * found.gradient;
+    const auto seen_from = [&](const Vec2& foot, double most) {
+        Nearest out = found;
+        const double distance = length(p - foot);
+        if (std::fabs(distance - std::fabs(found.distance)) > most) return found;
+        out.distance = s.value < 0 ? -distance : distance;
+        if (distance > error) out.gradient = (p - foot) / out.distance;
+        return out;
+    };
+    const std::optional<ZeroPoint> foot = zero_point_near(field, root, fitted, size);
+    constexpr double aslant = 0.02;  // what is seen less squarely than this is no foot but a place beside the corner that is nearest
+    if (foot && std::fabs(dot(p - foot->at, foot->along)) <= aslant * length(p - foot->at)) return seen_from(foot->at, error);
+    const std::optional<ZeroCorner> corner = zero_corner_near(field, root, fitted, 2 * error, size);
+    if (corner) return seen_from(corner->at, error / corner->sine);
+    return foot ? seen_from(foot->at, error) : found;
 }
 
 /// Index of the piece of a lowered solid that is nearest to p.

@@ -119,19 +119,21 @@ private:
 
     /// Where the tangents meet, which is where a corner is, or next to it; else halfway.
     std::optional<ZeroPoint> point_between(const ZeroPoint& a, const ZeroPoint& b) {
-        const Vec2 chord = b.at - a.at;
-        const double apart = length(chord), turn = cross(a.along, b.along);
-        std::array<Vec2, 2> starts{Vec2(0.5 * (a.at + b.at)), Vec2(0.5 * (a.at + b.at))};
+        const auto useful = [&](const std::optional<ZeroPoint>& found) { return found && is_between(a.at, found->at, b.at); };
+        const Vec2 chord = b.at - a.at, middle = 0.5 * (a.at + b.at);
+        const double turn = cross(a.along, b.along);
+        std::optional<ZeroPoint> found;
         if (std::fabs(turn) > 0.02) {
-            const double from_a = cross(chord, b.along) / turn;
-            const Vec2 corner = a.at + from_a * a.along;
-            if (length(corner - starts[0]) < 2 * apart) starts[0] = corner;
+            const Vec2 to_corner = a.at + (cross(chord, b.along) / turn) * a.along - middle;
+            if (length(to_corner) < 2 * length(chord)) {
+                evaluations_ += 4;
+                if (useful(found = zero_point_near(field_, op_, middle + to_corner, size_))) return found;
+                // In a narrow corner Newton's iteration goes to and fro between its sides.
+                if (useful(found = crossing(middle, middle + 1.5 * to_corner))) return found;
+            }
         }
-        for (const Vec2& start : starts) {
-            evaluations_ += 4;
-            const std::optional<ZeroPoint> found = zero_point_near(field_, op_, start, size_);
-            if (found && is_between(a.at, found->at, b.at)) return found;
-        }
+        evaluations_ += 4;
+        if (useful(found = zero_point_near(field_, op_, middle, size_))) return found;
         return crossing_beside(a.at, b.at);
     }
 
@@ -144,20 +146,23 @@ private:
     /// On the perpendicular through the middle of the chord: the nearest change of sign.
     std::optional<ZeroPoint> crossing_beside(const Vec2& a, const Vec2& b) {
         const Vec2 middle = 0.5 * (a + b), aside = perpendicular(b - a);
-        const bool solid = tree_value(field_, op_, middle) < 0;
         for (const double reach : {1.0 / 512, 1.0 / 64, 1.0 / 8, 1.0})
-            for (const double side : {reach, -reach}) {
-                Vec2 from = middle, to = middle + side * aside;
-                evaluations_ += 1;
-                if ((tree_value(field_, op_, to) < 0) == solid) continue;
-                for (int i = 0; i < 50; ++i) {
-                    const Vec2 p = 0.5 * (from + to);
-                    ((tree_value(field_, op_, p) < 0) == solid ? from : to) = p;
-                }
-                evaluations_ += 50;
-                return zero_point_at(field_, op_, from);
-            }
+            for (const double side : {reach, -reach})
+                if (const auto found = crossing(middle, middle + side * aside)) return found;
         return std::nullopt;
+    }
+
+    /// The change of sign from one place to the other, by bisection; nothing where both are on the same side.
+    std::optional<ZeroPoint> crossing(Vec2 from, Vec2 to) {
+        evaluations_ += 2;
+        const bool solid = tree_value(field_, op_, from) < 0;
+        if ((tree_value(field_, op_, to) < 0) == solid) return std::nullopt;
+        for (int i = 0; i < 50; ++i) {
+            const Vec2 p = 0.5 * (from + to);
+            ((tree_value(field_, op_, p) < 0) == solid ? from : to) = p;
+        }
+        evaluations_ += 50;
+        return zero_point_at(field_, op_, from);
     }
 
     const Field& field_;

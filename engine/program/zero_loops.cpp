@@ -159,6 +159,32 @@ std::optional<ZeroPoint> zero_point_near(const Field& field, int op, const Vec2&
     return std::nullopt;
 }
 
+/// Of what the field is all round p, the two planes that differ most are those of its two sides; the corner is where both are 0.
+std::optional<ZeroCorner> zero_corner_near(const Field& field, int op, const Vec2& p, double reach, double size) {
+    constexpr double diagonal = 0.70710678118654752;
+    const std::array<Vec2, 8> ways{Vec2(1, 0),  Vec2(diagonal, diagonal),   Vec2(0, 1),  Vec2(-diagonal, diagonal),
+                                   Vec2(-1, 0), Vec2(-diagonal, -diagonal), Vec2(0, -1), Vec2(diagonal, -diagonal)};
+    ZeroCorner out{p, 0};
+    for (const double radius : {reach, 0.01 * reach}) {
+        std::array<sdf::Sample, 8> around;
+        for (std::size_t i = 0; i < 8; ++i) around[i] = evaluate_tree(field, op, out.at + radius * ways[i]);
+        std::size_t a = 0, b = 0;
+        double least = infinity;
+        for (std::size_t i = 0; i < 8; ++i)
+            for (std::size_t j = 0; j < i; ++j)
+                if (const double cosine = dot(around[i].gradient.normalized(), around[j].gradient.normalized()); cosine < least)
+                    least = cosine, a = i, b = j;
+        const Vec2 &u = around[a].gradient, &v = around[b].gradient;
+        const double turn = cross(u, v);
+        out.sine = std::fabs(turn) / (length(u) * length(v));
+        if (!(out.sine > 1e-3)) return std::nullopt;
+        const double at_u = radius * dot(u, ways[a]) - around[a].value, at_v = radius * dot(v, ways[b]) - around[b].value;
+        out.at += Vec2(at_u * v.y() - at_v * u.y(), u.x() * at_v - v.x() * at_u) / turn;
+    }
+    if (!(std::fabs(tree_value(field, op, out.at)) <= zero * size)) return std::nullopt;
+    return out;
+}
+
 std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window, int cells, bool settle) {
     Lattice lattice(field, op, window, cells);
     if (!lattice.link_cells(settle)) return std::nullopt;

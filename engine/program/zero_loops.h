@@ -20,6 +20,15 @@ std::optional<ZeroPoint> zero_point_at(const Field& field, int op, const Vec2& p
 /// The field's zero point on the line through p along the gradient, found by Newton's iteration; nothing where that does not settle.
 std::optional<ZeroPoint> zero_point_near(const Field& field, int op, const Vec2& p, double size);
 
+/// A place where two smooth parts of the zero line meet.
+struct ZeroCorner {
+    Vec2 at{0, 0};
+    double sine = 1;  ///< of the angle by which it turns there, > 0
+};
+
+/// The corner of the zero line within about `reach` of p; nothing where the line is smooth.
+std::optional<ZeroCorner> zero_corner_near(const Field& field, int op, const Vec2& p, double reach, double size);
+
 /// All loops in a square lattice of `cells` x `cells` (a power of two) over `window`, neighbouring points at most a cell apart, the solid
 /// on the left. The field's Lipschitz constant tells which parts of the lattice need no look. Nothing when the lattice is too coarse to
 /// tell how the line runs, unless `settle` asks for the likeliest course; and nothing when the line leaves the window.

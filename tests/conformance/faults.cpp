@@ -75,6 +75,11 @@ const std::vector<PlantedFault>& planted_faults() {
         {"a warp's packets off", "a warp's packets send points where the warp does", checked<WarpPacketsOff>},
         {"a branch by one number of many", "an enclosure over a box holds the samples in it", checked<BranchesByMiddle>},
         {"a Lipschitz constant too small", "no enclosure of the gradient refutes the Lipschitz constant", checked<WrongLipschitz>},
+        {"a Lipschitz constant too small", "the disc of safe distance holds no surface", checked<WrongLipschitz>},
+        {"an outline drawn as that of a hole", "the solid is on the left of its outline", checked<OutlineOfAHole>},
+        {"a length that nobody gave", "another size is the same figure in proportion", checked<HiddenLength>},
+        {"a union that prefers its first child", "the order of a symmetric fold's children is no matter", checked<FirstComesFirst>},
+        {"a region to the left of its chain", "the order of a chain's points is no matter", checked<LeftOfChain>},
         {"a value apart from its gradient's", "the value alone is the value with its gradient", value_apart_from_gradient},
         {"an instruction set of its own mind", "every instruction set gives the same bits", last_of_a_tail},
 

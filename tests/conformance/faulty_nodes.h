@@ -1,12 +1,15 @@
 // Nodes with one fault each, for tests of the laws only: a law that lets its fault pass is no law.
 #pragma once
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "engine/reflect/describe.h"
+#include "engine/sdf/edges.h"
 #include "engine/sdf/kernels.h"
 #include "engine/sdf/outline.h"
 #include "engine/sdf/scalar.h"
+#include "engine/sdf/simple_chain.h"
 
 namespace pinfield::sdf::faulty {
 
@@ -214,6 +217,58 @@ struct WarpPacketsOff {
     static Box2 bounds(std::span<const Box2> children) { return children[0]; }
     static constexpr auto describe() {
         return operation<WarpPacketsOff>({.key = "warp_packets_off", .exactness = {Side::bound, Side::bound}, .children = {1, 1}}, fields());
+    }
+};
+
+/// The outline of a hole: drawn with the solid on its right.
+template <class Real>
+struct OutlineOfAHole {
+    Real distance(const Point<Real>& p) const { return norm(p) - Real(r); }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    void outline(Outline& out) const { out.push_back(Piece::circle({0, 0}, r, -1)); }
+    static constexpr auto describe() { return shape<OutlineOfAHole>({.key = "outline_of_a_hole"}, fields()); }
+};
+
+/// A disc that is a nanometre larger than it was told, whatever its size.
+template <class Real>
+struct HiddenLength {
+    Real radius = Real(r);
+    Real distance(const Point<Real>& p) const { return norm(p) - radius - Real(1e-9); }
+    Box2 bounds() const { return Box2::centred(radius + 1e-9, radius + 1e-9); }
+    static constexpr auto describe() {
+        return shape<HiddenLength>({.key = "hidden_length"},
+                                   fields(field("radius", &HiddenLength::radius, {.unit = Unit::metre, .min = above(0)})));
+    }
+};
+
+/// A union that prefers its first child, within the slack that it admits.
+template <class Real>
+struct FirstComesFirst {
+    Real k = Real(0.01);
+    Real combine(const Real& a, const Real& b) const { return min(a - k, b); }
+    static Real hard(const Real& a, const Real& b) { return min(a, b); }
+    Slack slack() const { return {.below = k}; }
+    static Exactness exactness(std::span<const Exactness>) { return {Side::bound, Side::bound}; }
+    static Box2 bounds(std::span<const Box2>) { return Box2::everything(); }
+    static constexpr auto describe() {
+        return operation<FirstComesFirst>({.key = "first_comes_first", .exactness = {Side::bound, Side::bound}, .children = {1, any_number}},
+                                          fields(field("k", &FirstComesFirst::k, {.unit = Unit::metre, .min = above(0)})));
+    }
+};
+
+/// What is on the left of a closed chain, which is its inside for those who draw it counter-clockwise only.
+template <class Real>
+struct LeftOfChain {
+    static constexpr double example[] = {-0.04, -0.03, 0.04, -0.03, 0, 0.04};
+    PointList<Real> points{example, 3};
+    double side = 1;
+    static constexpr auto derived() { return std::tuple(&LeftOfChain::side); }
+    void derive() { side = doubled_area(points.xy, points.count) < 0 ? -1.0 : 1.0; }
+    Real distance(const Point<Real>& p) const { return Real(side) * distance_to_chain(p, points.xy, points.count, side); }
+    Box2 bounds() const { return Box2::everything(); }
+    static constexpr auto describe() {
+        return shape<LeftOfChain>({.key = "left_of_chain"}, fields(field("points", &LeftOfChain::points, {.unit = Unit::metre})),
+                                  contract("at least 3 points", [](const auto& chain) { return chain.points.count >= 3; }));
     }
 };
 

@@ -62,13 +62,19 @@ void gradient_is_the_central_difference(const Trial& trial);
 void gradient_is_within_lipschitz(const Trial& trial);
 void field_is_lipschitz(const Trial& trial);
 void field_is_not_zero_on_an_area(const Trial& trial);
+void safe_disc_holds_no_surface(const Trial& trial);
 
 void bounds_contain_the_solid(const Trial& trial);
 void bounds_of_a_shape_are_tight(const Trial& trial);
 void exact_sides_are_brute_force_distances(const Trial& trial);
 void no_side_overestimates(const Trial& trial);
 void sign_tells_inside_from_outside(const Trial& trial);
+void solid_is_on_the_left_of_its_outline(const Trial& trial);
 void foot_point_is_on_the_outline_where_exact(const Trial& trial);
+
+void size_is_a_matter_of_scale(const Trial& trial);
+void order_of_children_is_no_matter(const Trial& trial);
+void order_of_points_is_no_matter(const Trial& trial);
 
 void packets_are_the_value_within_float_error(const Trial& trial);
 void every_instruction_set_gives_the_same_bits(const Trial& trial);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/core/rng.h"
+#include "engine/core/trig.h"
 #include "tests/conformance/laws.h"
 
 namespace pinfield::conformance {
@@ -113,6 +114,31 @@ void field_is_not_zero_on_an_area(const Trial& trial) {
     std::size_t zeros = 0;
     for (std::size_t i = 0; i < trial.random_count; ++i) zeros += std::fabs(trial.samples[i].value) < trial.rounding(trial.points[i]);
     if (10 * zeros > trial.random_count) trial.report(fmt::format("zero at {} random points", zeros));
+}
+
+/// From a few places looks about in the disc that a ball may cross unasked, towards the surface first.
+void safe_disc_holds_no_surface(const Trial& trial) {
+    constexpr int directions = 16, radii = 8;
+    const auto look_from = [&](std::size_t i) {
+        const Vec2& p = trial.points[i];
+        const sdf::Sample& here = trial.samples[i];
+        const double safe = std::fabs(here.value) / trial.exactness.lipschitz * (1 - 1e-9) - trial.rounding(p);
+        const double steep = length(here.gradient);
+        if (!(safe > 0) || !(steep > 0)) return;
+        const Vec2 ahead = (here.value > 0 ? -1 : 1) / steep * here.gradient;
+        for (int k = 0; k < directions; ++k) {
+            const SineCosine turn = sine_cosine(two_pi * k / directions);
+            const Vec2 way = turn.cosine * ahead + turn.sine * perpendicular(ahead);
+            for (int j = 1; j <= radii; ++j) {
+                const Vec2 q = p + (safe * j / radii) * way;
+                const double there = trial.subject.value(q);
+                if (there == 0 || (there < 0) != (here.value < 0))
+                    trial.report(fmt::format("{}: {}, but {} {}", at(p), here.value, there, at(q)));
+            }
+        }
+    };
+    for (std::size_t i = 0; i < trial.random_count; i += trial.random_count / 3) look_from(i);
+    for (std::size_t i = trial.random_count; i < trial.points.size(); i += (trial.points.size() - trial.random_count) / 3 + 1) look_from(i);
 }
 
 }  // namespace pinfield::conformance

@@ -117,6 +117,26 @@ void sign_tells_inside_from_outside(const Trial& trial) {
     }
 }
 
+/// A small step to either side of a piece's middle, where no other piece is near: one in, one out. Which is which is what the lowering of
+/// CSG trees goes by.
+void solid_is_on_the_left_of_its_outline(const Trial& trial) {
+    if (!trial.subject.is_shape() || !trial.subject.kernels().outline) return;
+    sdf::Outline pieces;
+    trial.subject.kernels().outline(trial.subject.params(), pieces);
+    const double step = 1e-5 * trial.extent;
+    for (std::size_t i = 0; i < pieces.size(); i += pieces.size() / 24 + 1) {
+        const std::vector<Vec2> along = points_along(pieces[i], 41);
+        const Vec2 p = along[20], chord = (pieces[i].turn < 0 ? -1 : 1) * (along[21] - along[19]);
+        double room = length(chord);
+        for (const sdf::Piece& other : pieces)
+            if (&other != &pieces[i]) room = std::min(room, distance_to_piece(p, other));
+        if (room < 4 * step) continue;
+        const Vec2 left = step / length(chord) * perpendicular(chord);
+        const double inside = trial.subject.value(p + left), outside = trial.subject.value(p - left);
+        if (!(inside < 0 && outside > 0)) trial.report(fmt::format("{}: {} on the left, {} on the right", at(p), inside, outside));
+    }
+}
+
 /// With |f(p) - f(q)| <= |p - q| this makes f the distance: the outline is no nearer than |f|, and the foot is that near.
 void foot_point_is_on_the_outline_where_exact(const Trial& trial) {
     for (std::size_t i = 0; i < trial.random_count; ++i) {

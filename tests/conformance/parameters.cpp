@@ -56,6 +56,8 @@ Value random_value(const FieldType& field, CounterRng& rng) {
 /// What to try in place of a number, among them the numbers of other fields.
 std::vector<double> extremes(const NodeType& type, const FieldMeta& meta) {
     std::vector<double> out{0, -0.0, 1e-9, 1e-6, 1e3, meta.min.value, meta.max.value};
+    for (const double limit : {meta.min.value, meta.max.value})  // next to 0 is no number of metres that a product survives
+        if (std::isfinite(limit) && limit != 0) out.insert(out.end(), {std::nextafter(limit, infinity), std::nextafter(limit, -infinity)});
     for (const FieldType& other : type.fields) {
         if (other.common || other.meta.unit != meta.unit) continue;
         if (const double* x = std::get_if<double>(&other.initial))

@@ -57,4 +57,17 @@ TEST_CASE("every node with any parameters comes back from its text bit for bit")
     }
 }
 
+TEST_CASE("every node refuses a key that it has no field for, where it stands") {
+    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
+    for (const NodeType& type : catalogue->types()) {
+        if (type.meta.kind == NodeKind::record) continue;
+        const std::string text = "pinfield: 1\nscene:\n  - " + std::string(type.key()) + ": {no_field: 1}\n";
+        INFO(text);
+        bool refused = false;  // some nodes miss their children, too
+        for (const Diagnostic& found : read_table(std::make_shared<const SourceText>("wrong.yaml", text), catalogue).diagnostics)
+            refused = refused || (found.severity == Severity::error && text.substr(found.where.begin, 8) == "no_field");
+        CHECK(refused);
+    }
+}
+
 }  // namespace pinfield::conformance

@@ -9,7 +9,7 @@ namespace pinfield::sdf {
 
 /// The child cut along its local axes and pulled apart, what is between drawn straight (Quilez, "distfunctions2d", elongation). A point
 /// nearer to the middle than the stretch looks at the child's own middle; filled, it also counts the way to the stretch's edge.
-/// Not filled, it counts the first micrometre, so that a middle on the child's own outline is solid and no plane of zeros.
+/// Not filled, it counts a fifty-thousandth of the stretch, so that a middle on the child's own outline is solid and no plane of zeros.
 template <class Real>
 struct Elongate {
     Point<Real> by{Real(0.05), Real(0)};
@@ -19,7 +19,7 @@ struct Elongate {
         return {sign(p.x) * max(abs(p.x) - by.x * Real(0.5), Real(0)), sign(p.y) * max(abs(p.y) - by.y * Real(0.5), Real(0))};
     }
     Real lift(const Point<Real>& p) const {
-        const Real roof = filled ? -by.x - by.y : Real(-1e-6);
+        const Real roof = (by.x + by.y) * Real(filled ? -1 : -2e-5);
         return min(Real(0), max(max(abs(p.x) - by.x * Real(0.5), abs(p.y) - by.y * Real(0.5)), roof));
     }
 

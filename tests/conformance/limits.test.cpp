@@ -1,0 +1,62 @@
+// What a node refuses: whatever is no number, and the first number on the wrong side of each limit.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/scene/catalog.h"
+
+namespace pinfield::conformance {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// A field's value with `v` for each of its numbers in turn.
+std::vector<Value> with_number(const FieldType& field, double v) {
+    switch (field.kind) {
+        case FieldKind::number: return {v};
+        case FieldKind::vec2: {
+            const Vec2 now = std::get<Vec2>(field.initial);
+            return {Vec2(v, now.y()), Vec2(now.x(), v)};
+        }
+        case FieldKind::points: {
+            std::vector<Value> out;
+            const auto& now = std::get<std::vector<Vec2>>(field.initial);
+            for (std::size_t i = 0; i < now.size(); ++i)
+                for (const int axis : {0, 1}) {
+                    std::vector<Vec2> points = now;
+                    points[i][axis] = v;
+                    out.emplace_back(std::move(points));
+                }
+            return out;
+        }
+        default: return {};
+    }
+}
+
+void check_limit(const FieldType& field, const Limit& limit, double inwards) {
+    if (!std::isfinite(limit.value)) return;
+    for (const Value& value : with_number(field, std::nextafter(limit.value, -inwards))) CHECK(refuse(field, value));
+    for (const Value& value : with_number(field, limit.value)) CHECK(refuse(field, value).has_value() == limit.open);
+    for (const Value& value : with_number(field, std::nextafter(limit.value, inwards))) CHECK_FALSE(refuse(field, value));
+}
+
+}  // namespace
+
+TEST_CASE("every field of every node refuses what is no finite number, and each limit parts neighbouring doubles") {
+    const Catalogue catalogue = built_in_catalogue();
+    int limits = 0;
+    for (const NodeType& type : catalogue.types())
+        for (const FieldType& field : type.fields) {
+            INFO(type.key() << "." << field.key);
+            for (const double v : {not_a_number, infinity, -infinity})
+                for (const Value& value : with_number(field, v)) CHECK(refuse(field, value));
+            if (field.meta.min.value == field.meta.max.value) continue;
+            check_limit(field, field.meta.min, infinity);
+            check_limit(field, field.meta.max, -infinity);
+            limits += std::isfinite(field.meta.min.value) + std::isfinite(field.meta.max.value);
+        }
+    CHECK(limits > 100);
+}
+
+}  // namespace pinfield::conformance
