@@ -16,7 +16,8 @@ using namespace pinfield::test;
 
 namespace {
 
-constexpr double around = 1e-7;     ///< metres, from a candidate to the places that are asked
+constexpr double around = 1e-7;     ///< metres, at most, from a candidate to the places that are asked
+constexpr double through = 1e-10;   ///< metres: curves nearer than this to a place run through it
 constexpr double feeler = 1e-5;     ///< metres, along curves that touch: they part by its square, far more than rounding
 constexpr double touching = 1e-13;  ///< square metres: below it a chord's half, whose root would magnify rounding, counts as 0
 
@@ -26,6 +27,7 @@ struct Curve {
     double radius = 0;  ///< of a circle about `at`
     sdf::Piece piece{};
 
+    double away(const Vec2& p) const { return std::fabs(radius > 0 ? length(p - at) - radius : cross(p - at, along)); }
     /// Is a point of the whole curve on the piece?
     bool has(const Vec2& p) const {
         if (radius > 0) return in_sweep(piece, p - at);
@@ -116,22 +118,25 @@ struct Oracle {
         }
     }
 
-    /// Unit directions in which curves leave c.
-    std::vector<double> angles_at(const Vec2& c) const {
+    /// Angles at which curves leave a place, in order, and how far around it there is no other curve.
+    struct Star {
         std::vector<double> angles;
+        double room = around;
+    };
+    Star star_at(const Vec2& c) const {
+        Star star;
         for (const Curve& curve : curves) {
-            Vec2 along = curve.along;
-            if (curve.radius > 0) {
-                if (std::fabs(length(c - curve.at) - curve.radius) > 1e-10) continue;
-                along = perpendicular(c - curve.at);
-            } else if (std::fabs(cross(c - curve.at, along)) > 1e-10) {
+            const double away = curve.away(c);
+            if (away > through) {
+                star.room = std::min(star.room, 0.25 * away);
                 continue;
             }
+            const Vec2 along = curve.radius > 0 ? perpendicular(c - curve.at) : curve.along;
             const double angle = std::atan2(along.y(), along.x());
-            for (const double turned : {angle, angle > 0 ? angle - 3.14159265358979312 : angle + 3.14159265358979312}) angles.push_back(turned);
+            for (const double turned : {angle, angle > 0 ? angle - 3.14159265358979312 : angle + 3.14159265358979312}) star.angles.push_back(turned);
         }
-        std::sort(angles.begin(), angles.end());
-        return angles;
+        std::sort(star.angles.begin(), star.angles.end());
+        return star;
     }
 
     /// Where the curves through c are a little way from it, by their angle there.
@@ -143,9 +148,9 @@ struct Oracle {
                 if (curve.radius > 0) {
                     const Vec2 ray = c - curve.at;
                     const double turn = way / curve.radius;
-                    if (std::fabs(length(ray) - curve.radius) > 1e-10) continue;
+                    if (curve.away(c) > through) continue;
                     feel(curve.at + (curve.radius / length(ray)) * (std::cos(turn) * ray + std::sin(turn) * perpendicular(ray)));
-                } else if (std::fabs(cross(c - curve.at, curve.along)) <= 1e-10) {
+                } else if (curve.away(c) <= through) {
                     feel(curve.at + (dot(c - curve.at, curve.along) + way) * curve.along);
                 }
             }
@@ -156,13 +161,13 @@ struct Oracle {
     /// Inside and outside both reach c: asks halfway between the directions of the curves through it. Where curves touch there may be a
     /// cusp, which has no direction of its own: asks between them, a little way off.
     bool on_boundary(const Vec2& c) const {
-        const std::vector<double> angles = angles_at(c);
+        const auto [angles, room] = star_at(c);
         bool in = false, out = false;
         for (std::size_t i = 0; i < angles.size(); ++i) {
             const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 6.283185307179586;
             if (next - angles[i] < 1e-6) continue;
             const double middle = 0.5 * (angles[i] + next);
-            (inside(root, c + around * Vec2(std::cos(middle), std::sin(middle))) ? in : out) = true;
+            (inside(root, c + room * Vec2(std::cos(middle), std::sin(middle))) ? in : out) = true;
         }
         if (in && out) return true;
         const std::vector<std::pair<double, Vec2>> feelers = feelers_at(c);
