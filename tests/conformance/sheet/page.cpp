@@ -91,6 +91,7 @@ build/release/bin/conformance_sheet --check docs/nodes    # a test, too: fails w
 
 - **Pictures** are the examples of [`scenes/nodes/`](../../scenes/nodes), drawn as `pinfield render --mode isolines` draws them: blue is
   solid, sand is free, white the outline between them; 10 mm from line to line, the table's edge a wall.
+  They show what balls meet: the true distance, also where the formula alone, which is what the tables measure, is a bound.
 - **exact**: the value is the true distance. **bound**: it is never above the distance, so that a step of that length is safe. The claim
   is for the default parameters and exact children; a page also tells what was measured where other parameters claim less.
 - **off, over, under**: the largest error, over-estimate and under-estimate that was found, over the default and random parameters,
