@@ -100,6 +100,31 @@ TEST_CASE("check --verbose tells of each node how far its distance may be truste
     CHECK(notes[5]["boundary_known"] == true);
 }
 
+TEST_CASE("check --verbose tells each side by itself, and a boundary that is fitted from one that is known") {
+    const Scratch scratch;
+    const std::string table = scratch.write("t.yaml",
+                                            "pinfield: 1\nscene:\n"
+                                            "  - smooth_union:\n      id: goo\n      k: 5mm\n      children:\n"
+                                            "        - circle: {id: left, radius: 50mm, at: [0.1, 0.1]}\n"
+                                            "        - circle: {id: right, radius: 50mm, at: [0.2, 0.1]}\n"
+                                            "  - round: {id: soft, radius: 5mm, children: [box: {id: hard, at: [0.3, 0.5]}]}\n");
+    const std::vector<std::string> lines = lines_of(run_pinfield("check --verbose " + table).out);
+    REQUIRE(lines.size() == 5);
+    // The two discs' box is 200 mm by 100 mm and grows by k all round; a ten millionth of its length is 21 nm.
+    CHECK_THAT(lines[0], Catch::EndsWith("goo is bound outside, bound inside, L = 1, its boundary is fitted: right on both sides within 2e-08 m"));
+    CHECK_THAT(lines[3], Catch::EndsWith("soft is exact outside, bound inside, L = 1, its boundary is known: exact on both sides"));
+
+    const json notes = json::parse(run_pinfield("check --verbose --json " + table).out);
+    REQUIRE(notes.size() == 5);
+    CHECK(notes[0]["boundary_known"] == true);
+    CHECK(notes[0]["boundary_fitted"] == true);
+    CHECK(notes[0]["fit_error"].get<double>() == Approx(0.21e-7).epsilon(1e-9));
+    CHECK(notes[3]["outside"] == "exact");
+    CHECK(notes[3]["inside"] == "bound");
+    CHECK(notes[3]["boundary_fitted"] == false);
+    CHECK(notes[3]["fit_error"] == 0);
+}
+
 TEST_CASE("check takes several files, tells all diagnostics of all of them, and an unreadable one is exit 3") {
     const Scratch scratch;
     const std::string wrong = scratch.write("two.yaml", "pinfield: 1\nscene:\n  - circle: {radius: -1}\n  - bxo: {size: [1, 1]}\n");

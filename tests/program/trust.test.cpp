@@ -59,6 +59,28 @@ TEST_CASE("a node's trust is that of its formula over its children, and its boun
     CHECK_FALSE(trust_of(*program, scene.physics().id));
 }
 
+TEST_CASE("a fitted boundary is known within its error, which makes no side of it exact") {
+    Scene scene(catalogue());
+    const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.005}});
+    add(scene, "circle", goo, {{"radius", 0.05}});
+    add(scene, "circle", goo, {{"radius", 0.05}, {"at", Vec2(0.1, 0)}});
+    const std::optional<Trust> trust = trust_of(*compiled(scene), goo);
+    REQUIRE(trust);
+    CHECK(trust->boundary_known);
+    CHECK(trust->fit_error == Approx(1e-7 * (0.2 + 2 * 0.005)));  // a ten millionth of the longer side of its box
+    CHECK(trust->exactness() == neither);
+}
+
+TEST_CASE("an offset in a mover or a sensor is warned of like any other") {
+    for (const std::string_view part : {"bumper", "drain"}) {
+        INFO(part);
+        Scene scene(catalogue());
+        const NodeId offset = add(scene, "round", add(scene, part), {{"radius", 0.01}});
+        wedge(scene, "intersection", offset);
+        CHECK(warnings_of(*compiled(scene), scene).size() == 1);
+    }
+}
+
 TEST_CASE("an offset of a bound whose boundary cannot be found is a warning; of an exact side, or of a known boundary, it is none") {
     struct Case {
         std::string_view offset, field, below;

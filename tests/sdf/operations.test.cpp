@@ -188,6 +188,21 @@ TEST_CASE("a smooth difference is the smooth union of the complement, complement
     CHECK(cut.combine(0.02, -0.02) == Approx(0.03));
 }
 
+TEST_CASE("every smooth operation hands its family and its steps on") {
+    const double k = 0.01;
+    for (int i = 0; i < 7; ++i)
+        for (const int steps : {1, 3, 6}) {
+            const auto family = static_cast<BlendFamily>(i);
+            CAPTURE(choice_names(family)[static_cast<std::size_t>(i)], steps);
+            for (const double a : {-0.012, 0.0, 0.003})
+                for (const double b : {-0.009, 0.001}) {
+                    CHECK(SmoothUnion<double>{k, family, steps}.combine(a, b) == smooth_min(a, b, k, family, steps));
+                    CHECK(SmoothIntersection<double>{k, family, steps}.combine(a, b) == -smooth_min(-a, -b, k, family, steps));
+                    CHECK(SmoothDifference<double>{k, family, steps}.combine(a, b) == -smooth_min(-a, b, k, family, steps));
+                }
+        }
+}
+
 TEST_CASE("where two fields tie, a smooth union's weights are one half each") {
     const SmoothUnion<Dual> goo{.k = Dual(0.01)};
     const Dual f = goo.combine(Dual(0.003, 1, 0), Dual(0.003, 0, 1));
