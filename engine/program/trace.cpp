@@ -119,13 +119,13 @@ private:
 
     /// Where the tangents meet, which is where a corner is, or next to it; else halfway.
     std::optional<ZeroPoint> point_between(const ZeroPoint& a, const ZeroPoint& b) {
-        const auto useful = [&](const std::optional<ZeroPoint>& found) { return found && is_between(a.at, found->at, b.at); };
+        const auto useful = [&](const std::optional<ZeroPoint>& found) { return found && is_between(a.at, found->at, b.at, 2 * farthest(a, b)); };
         const Vec2 chord = b.at - a.at, middle = 0.5 * (a.at + b.at);
         const double turn = cross(a.along, b.along);
         std::optional<ZeroPoint> found;
         if (std::fabs(turn) > 0.02) {
             const Vec2 to_corner = a.at + (cross(chord, b.along) / turn) * a.along - middle;
-            if (length(to_corner) < 2 * length(chord)) {
+            if (length(to_corner) < farthest(a, b)) {
                 evaluations_ += 4;
                 if (useful(found = zero_point_near(field_, op_, middle + to_corner, size_))) return found;
                 // In a narrow corner Newton's iteration goes to and fro between its sides.
@@ -137,10 +137,13 @@ private:
         return crossing_beside(a.at, b.at);
     }
 
+    /// How far the tangents may meet: where the line comes back the way it went there is a needle's tip, many chords away.
+    static double farthest(const ZeroPoint& a, const ZeroPoint& b) { return (dot(a.along, b.along) < 0 ? 64 : 2) * length(b.at - a.at); }
+
     /// Well away from either end, and not far aside.
-    static bool is_between(const Vec2& a, const Vec2& p, const Vec2& b) {
-        const double apart = length(b - a), to_a = length(p - a), to_b = length(p - b);
-        return std::min(to_a, to_b) > 1e-4 * apart && std::max(to_a, to_b) < 4 * apart;
+    static bool is_between(const Vec2& a, const Vec2& p, const Vec2& b, double far) {
+        const double to_a = length(p - a), to_b = length(p - b);
+        return std::min(to_a, to_b) > 1e-4 * length(b - a) && std::max(to_a, to_b) < far;
     }
 
     /// On the perpendicular through the middle of the chord: the nearest change of sign.

@@ -153,3 +153,34 @@ TEST_CASE("a wall that closes on itself in a narrow nook is traced whichever way
         CHECK(here == Approx(depth).margin(1e-11));
     }
 }
+
+// Stirring keeps every point's distance from the middle, so that the stirred outline has a closed form.
+TEST_CASE("a star that is twisted until its tips are needles is traced to their ends") {
+    const double outer = 0.2, stirred = 90;
+    for (const double inner : {0.1, 0.05})
+        for (const double radius : {0.2, 0.25, 0.3}) {
+            INFO("inner " << inner << ", stirred within " << radius);
+            const Alone alone([&](Scene& scene) {
+                const NodeId twist = add(scene, "twist", {}, {{"angle", stirred}, {"radius", radius}});
+                add(scene, "star", twist, {{"outer", outer}, {"inner", inner}});
+            });
+            REQUIRE(alone.solid().lowered);
+            const auto stir = [&](const Vec2& q) {
+                const double left = std::max(1 - dot(q, q) / (radius * radius), 0.0);
+                return turned(stirred * left * left, q);
+            };
+            const double needle = 8;  // one over the sine of the narrowest tip's angle, and more
+            for (int arm = 0; arm < 5; ++arm)
+                for (const double side : {36.0, -36.0}) {
+                    const Vec2 tip = turned(72 * arm, {outer, 0}), notch = turned(72 * arm + side, {inner, 0});
+                    for (int i = 0; i <= 400; ++i) {
+                        const Vec2 p = stir(tip + std::pow(0.001 * i * 2.5, 4) * (notch - tip));
+                        INFO("arm " << arm << ", " << i << " of the way to the notch at " << side);
+                        CHECK(alone.to_pieces(p) < (i < 80 ? needle : 1) * alone.solid().fit_error);
+                    }
+                }
+            for (int i = 0; i < alone.solid().piece_count; ++i)  // and leads nowhere else
+                CHECK(std::fabs(alone.formula(alone.field().pieces[static_cast<std::size_t>(alone.solid().first_piece + i)].piece.a)) <
+                      alone.solid().fit_error);
+        }
+}
