@@ -36,7 +36,15 @@ std::string quantity_pattern(Unit unit) {
 
 Json number_schema(const FieldMeta& meta) {
     Json bare{{"type", "number"}};
-    if (std::isfinite(meta.min.value)) bare[meta.min.open ? "exclusiveMinimum" : "minimum"] = meta.min.value;
+    if (meta.unit == Unit::metre) {
+        bare["minimum"] = -longest_length;
+        bare["maximum"] = longest_length;
+    }
+    if (meta.unit == Unit::metre && meta.min.open && meta.min.value == 0) {
+        bare["minimum"] = shortest_length;
+    } else if (std::isfinite(meta.min.value)) {
+        bare[meta.min.open ? "exclusiveMinimum" : "minimum"] = meta.min.value;
+    }
     if (std::isfinite(meta.max.value)) bare[meta.max.open ? "exclusiveMaximum" : "maximum"] = meta.max.value;
     return {{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}}}};
 }

@@ -19,9 +19,10 @@
 namespace pinfield {
 namespace {
 
-bool is_finite(const Similarity& s) {
-    return std::isfinite(s.cosine) && std::isfinite(s.sine) && std::isfinite(s.scale) && s.scale > 0 &&
-           s.offset.allFinite();
+/// No further away or larger than a length may be, and not smaller by as much: groups multiply their scales.
+bool is_computable(const Similarity& s) {
+    return std::isfinite(s.cosine) && std::isfinite(s.sine) && s.scale >= 1 / longest_length && s.scale <= longest_length &&
+           s.offset.allFinite() && s.offset.cwiseAbs().maxCoeff() <= longest_length;
 }
 
 /// For formulas that grow boxes by a length of their own frame.
@@ -142,7 +143,7 @@ int Emitter::emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId
     op.scale = field_from_op.scale;
     op.origin = origin;
     op.material = material_of(origin);
-    if (!is_finite(field_from_op) || !is_finite(op.local_from_field))
+    if (!is_computable(field_from_op))
         kitchen_.problems.push_back(
             diagnose(Code::not_finite, scene_.find(origin)->where, "is placed or scaled beyond what can be computed"));
     if (kernels.images) {

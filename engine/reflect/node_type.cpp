@@ -18,6 +18,11 @@ std::string with_unit(double v, Unit unit) {
 
 std::optional<std::string> refuse_number(const FieldMeta& meta, double v) {
     if (!std::isfinite(v)) return "must be a finite number";
+    if (meta.unit == Unit::metre) {
+        if (std::fabs(v) > longest_length) return fmt::format("must be within {}", with_unit(longest_length, meta.unit));
+        if (meta.min.open && meta.min.value == 0 && v > 0 && v < shortest_length)
+            return fmt::format("must be at least {}", with_unit(shortest_length, meta.unit));
+    }
     if (v < meta.min.value || (meta.min.open && v == meta.min.value))
         return fmt::format("must be {} {}", meta.min.open ? "above" : "at least", with_unit(meta.min.value, meta.unit));
     if (v > meta.max.value || (meta.max.open && v == meta.max.value))

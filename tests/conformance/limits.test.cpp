@@ -34,7 +34,15 @@ std::vector<Value> with_number(const FieldType& field, double v) {
     }
 }
 
-void check_limit(const FieldType& field, const Limit& limit, double inwards) {
+/// The limit as it is meant for lengths: none is endless, and what must be above 0 is so by a length.
+Limit as_of_lengths(const FieldType& field, const Limit& limit) {
+    if (field.meta.unit != Unit::metre) return limit;
+    if (limit.open && limit.value == 0) return from(shortest_length);
+    return std::isfinite(limit.value) ? limit : from(std::copysign(longest_length, limit.value));
+}
+
+void check_limit(const FieldType& field, const Limit& written, double inwards) {
+    const Limit limit = as_of_lengths(field, written);
     if (!std::isfinite(limit.value)) return;
     for (const Value& value : with_number(field, std::nextafter(limit.value, -inwards))) CHECK(refuse(field, value));
     for (const Value& value : with_number(field, limit.value)) CHECK(refuse(field, value).has_value() == limit.open);
