@@ -16,19 +16,19 @@ struct Lattice {
     /// (finite): of the copies of the foot, the nearest is no more than half a step away along either axis, and a copy of the child that
     /// holds the point reaches at least as far. At most `too_many` of each.
     std::array<int, 2> neighbours(const Box2& child) const {
-        std::array<int, 2> out{0, 0};
+        int out[2] = {0, 0};
         for (const int axis : {0, 1}) {
             const double reach = std::max(child.hi[axis], -child.lo[axis]);
             if (step[axis] > 0 && !child.is_empty()) out[axis] = clamped(1 + reach / step[axis] + 1e-9);
         }
-        return out;
+        return {out[0], out[1]};
     }
 
     /// The offsets of all copies of the child that meet the window (finite, as the child); nothing where they are more than `too_many`.
     std::optional<std::vector<Vec2>> offsets_meeting(const Box2& window, const Box2& child) const {
         std::vector<Vec2> out;
         if (child.is_empty() || window.is_empty()) return out;
-        std::array<int, 2> first{0, 0}, count{1, 1};
+        int first[2] = {0, 0}, count[2] = {1, 1};
         for (const int axis : {0, 1}) {
             if (step[axis] == 0) continue;
             first[axis] = clamped((window.lo[axis] - child.hi[axis]) / step[axis]);
