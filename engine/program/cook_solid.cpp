@@ -244,11 +244,36 @@ bool has_enough_children(const Scene& scene, NodeId id, Diagnostics& problems) {
     return fine;
 }
 
+/// How many shapes there are to see at and below a node; refuses repetitions within repetitions, which multiply, before anything is made
+/// of them.
+double appearances(const Scene& scene, NodeId id, Diagnostics& problems) {
+    constexpr double most = 2048;  // a second's work for the arrangement
+    const Node& node = *scene.find(id);
+    if (node.children.empty()) return 1;
+    double below = 0;
+    for (const NodeId child : node.children) below += appearances(scene, child, problems);
+    if (!node.type->kernels || !node.type->kernels->images) return below;
+    std::vector<Value> values;
+    for (int i = 0; i < node.type->own_fields; ++i) values.push_back(node.fields[static_cast<std::size_t>(i)].value);
+    std::vector<double> block = pack(*node.type, values, node.type->kernels->derived_count);
+    node.type->kernels->derive(block.data());
+    const double all = below * static_cast<double>(node.type->kernels->images(block.data()).size());
+    if (all > most && below > 1) {
+        problems.push_back(diagnose(Code::too_many_repeats, node.key,
+                                    fmt::format("{} shows {} shapes, repetitions in it multiplied; {} is the most", node.type->key(), all, most)));
+        return 1;
+    }
+    return all;
+}
+
 }  // namespace
 
 Field cook_solid(Kitchen& kitchen, const Item& item, const Similarity& field_from_node) {
     Field field;
     if (!has_enough_children(kitchen.scene, item.node, kitchen.problems)) return field;
+    const std::size_t problems_before = kitchen.problems.size();
+    appearances(kitchen.scene, item.node, kitchen.problems);
+    if (kitchen.problems.size() > problems_before) return field;
     Emitter emitter(kitchen, field);
     const Node& node = *kitchen.scene.find(item.node);
     const int shape =

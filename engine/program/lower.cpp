@@ -188,6 +188,27 @@ private:
     std::size_t next_leaf_ = 0, next_lattice_ = 0;
 };
 
+/// Does a piece begin wherever one ends, and end wherever one begins? A boundary with a gap would let balls in: worse than none.
+bool is_closed(const std::vector<OwnedPiece>& pieces, double tolerance) {
+    const auto by_x = [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); };
+    std::vector<Vec2> starts, ends;
+    for (const OwnedPiece& owned : pieces) {
+        if (owned.piece.is_full_circle()) continue;
+        starts.push_back(owned.piece.a);
+        ends.push_back(owned.piece.b);
+    }
+    std::sort(starts.begin(), starts.end(), by_x);
+    std::sort(ends.begin(), ends.end(), by_x);
+    const auto all_meet = [&](const std::vector<Vec2>& some, const std::vector<Vec2>& others) {
+        return std::all_of(some.begin(), some.end(), [&](const Vec2& p) {
+            const auto first = std::lower_bound(others.begin(), others.end(), Vec2(p.x() - tolerance, 0), by_x);
+            const auto last = std::upper_bound(first, others.end(), Vec2(p.x() + tolerance, 0), by_x);
+            return std::any_of(first, last, [&](const Vec2& q) { return std::fabs(p.y() - q.y()) <= tolerance; });
+        });
+    };
+    return all_meet(starts, ends) && all_meet(ends, starts);
+}
+
 /// Gives half planes the length that is needed; the horizon: how far from the origin that is.
 double cut_at_horizon(std::vector<LeafImage>& leaves) {
     if (std::none_of(leaves.begin(), leaves.end(), [](const LeafImage& leaf) { return leaf.endless; })) return infinity;
@@ -229,7 +250,9 @@ FoundBoundary boundary_below(const Field& field, int root) {
     for (const LeafImage& leaf : found.leaves) error = std::max(error, leaf.error);
     // What has an end has it within the reach of what is not endless.
     const bool ends = field.ops[static_cast<std::size_t>(root)].bounds.is_finite();
-    return {boundary_of(field, root, found), error, ends ? infinity : found.horizon};
+    std::vector<OwnedPiece> pieces = boundary_of(field, root, found);
+    if (error > 0 && !is_closed(pieces, 100 * error)) return {};
+    return {std::move(pieces), error, ends ? infinity : found.horizon};
 }
 
 void lower(Field& field, int index) {

@@ -113,3 +113,16 @@ TEST_CASE("what has no end, or reaches over thousands of cells, is not repeated 
     REQUIRE_FALSE(too_many);
     CHECK(too_many.error()[0].code == "E0209");
 }
+
+TEST_CASE("repetitions that multiply beyond a second's work are refused before anything is made of them") {
+    Scene scene(catalogue());
+    NodeId innermost;
+    for (int depth = 0; depth < 6; ++depth) innermost = add(scene, "repeat", innermost, {{"count", Vec2(4, 4)}});
+    add(scene, "circle", innermost);
+    const auto refused = compile(scene);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error()[0].code == "E0112");
+    Scene plain(catalogue());  // one alone has its own limit
+    add(plain, "circle", add(plain, "repeat", {}, {{"count", Vec2(32, 32)}}));
+    CHECK(compile(plain));
+}

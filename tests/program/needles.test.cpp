@@ -184,3 +184,33 @@ TEST_CASE("a star that is twisted until its tips are needles is traced to their 
                       alone.solid().fit_error);
         }
 }
+
+// Twelve traced walls that cross each other anyhow: where cutting them leaves a gap, the formula is what is left to trust.
+TEST_CASE("a fitted boundary has no gap, however many traced walls cross") {
+    for (const double turn : {-96.71, 0.0, 30.0}) {
+        INFO("turned " << turn);
+        const Alone alone([&](Scene& scene) {
+            const NodeId mirror = add(scene, "mirror", {}, {{"at", Vec2(0.01161, -0.01243)}, {"turn", turn}});
+            add(scene, "cubic_bezier", add(scene, "repeat_polar", mirror, {{"at", Vec2(-0.01823, 0.002164)}, {"count", std::int64_t{6}}}));
+        });
+        const Solid& solid = alone.solid();
+        std::size_t open = 0;
+        for (int i = 0; i < solid.piece_count; ++i) {
+            const sdf::Piece& piece = alone.field().pieces[static_cast<std::size_t>(solid.first_piece + i)].piece;
+            double gap = piece.is_full_circle() ? 0 : infinity;
+            for (int k = 0; k < solid.piece_count && gap > 1e-6; ++k)
+                gap = std::min(gap, length(alone.field().pieces[static_cast<std::size_t>(solid.first_piece + k)].piece.a - piece.b));
+            open += gap > 1e-6;
+        }
+        CHECK(open == 0);
+        CounterRng rng(3);
+        for (int i = 0; i < 300; ++i) {  // on the zero line itself the distance is 0
+            const double angle = rng.in(0, two_pi);
+            Vec2 within(0, 0), beyond = 0.2 * Vec2(std::cos(angle), std::sin(angle));
+            if (!(alone.formula(beyond) > 0)) continue;
+            for (int step = 0; step < 200 && alone.formula(within) >= 0; ++step) within = beyond * (step / 200.0) * rng.uniform();
+            if (!(alone.formula(within) < 0)) continue;
+            CHECK(std::fabs(alone.distance(alone.outline_between(within, beyond))) < 1e-7);
+        }
+    }
+}
