@@ -35,8 +35,8 @@ struct FoundLeaves {
     double horizon = infinity;  ///< metres from the origin, within which half planes' lines are whole
 };
 /// All appearances below an op, in the order a walk of the tree meets them: shapes with outlines, half planes, and round, inset and onion of
-/// such, under union, intersection, difference, xor, complement, images, and lattices within finite bounds; whatever else is there is traced as a whole. Empty when
-/// some of that cannot be.
+/// such, under union, intersection, difference, xor, complement, images, and lattices within finite bounds; whatever else is there is
+/// traced as a whole. Empty when some of that cannot be.
 FoundLeaves leaf_images(const Field& field, int root);
 
 /// Is a point in the tree's solid, given for each appearance whether it is in that one?
