@@ -25,6 +25,13 @@ bool is_computable(const Similarity& s) {
            s.offset.allFinite() && s.offset.cwiseAbs().maxCoeff() <= longest_length;
 }
 
+/// Of the type's own fields, without the common ones.
+std::vector<Value> own_values(const Node& node) {
+    std::vector<Value> out;
+    for (int i = 0; i < node.type->own_fields; ++i) out.push_back(node.fields[static_cast<std::size_t>(i)].value);
+    return out;
+}
+
 /// For formulas that grow boxes by a length of their own frame.
 Box2 scaled(const Box2& box, double factor) { return box.is_empty() ? box : Box2{factor * box.lo, factor * box.hi}; }
 
@@ -61,9 +68,7 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
     for (const NodeId child : node.children)
         children.push_back(emit_node(child, field_from_node * parent_from_local(*scene_.find(child))));
     const sdf::Kernels& kernels = *node.type->kernels;
-    std::vector<Value> values;
-    for (int i = 0; i < node.type->own_fields; ++i) values.push_back(node.fields[static_cast<std::size_t>(i)].value);
-    std::vector<double> block = pack(*node.type, values, kernels.derived_count);
+    std::vector<double> block = pack(*node.type, own_values(node), kernels.derived_count);
     if (const auto broken = broken_contract(*node.type, block.data()))
         kitchen_.problems.push_back(diagnose(Code::broken_contract, node.key, std::string(*broken)));
     kernels.derive(block.data());
@@ -116,10 +121,7 @@ int Emitter::with_neighbours(int child, const sdf::Lattice& lattice, NodeId orig
 int Emitter::emit_part_shape(const Node& node, const Similarity& field_from_node) {
     if (node.children.empty()) {
         if (!node.type->part->customary_shape) return -1;
-        std::vector<Value> values;
-        for (int i = 0; i < node.type->own_fields; ++i)
-            values.push_back(node.fields[static_cast<std::size_t>(i)].value);
-        CustomaryShape shape = node.type->part->customary_shape(pack(*node.type, values).data());
+        CustomaryShape shape = node.type->part->customary_shape(pack(*node.type, own_values(node)).data());
         return emit(*shape.kernels, std::move(shape.params), node.id, field_from_node * shape.part_from_shape, {});
     }
     std::vector<int> children;
@@ -253,9 +255,7 @@ double appearances(const Scene& scene, NodeId id, Diagnostics& problems) {
     double below = 0;
     for (const NodeId child : node.children) below += appearances(scene, child, problems);
     if (!node.type->kernels || !node.type->kernels->images) return below;
-    std::vector<Value> values;
-    for (int i = 0; i < node.type->own_fields; ++i) values.push_back(node.fields[static_cast<std::size_t>(i)].value);
-    std::vector<double> block = pack(*node.type, values, node.type->kernels->derived_count);
+    std::vector<double> block = pack(*node.type, own_values(node), node.type->kernels->derived_count);
     node.type->kernels->derive(block.data());
     const double all = below * static_cast<double>(node.type->kernels->images(block.data()).size());
     if (all > most && below > 1) {
