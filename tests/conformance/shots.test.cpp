@@ -23,13 +23,22 @@ struct Range {
     double extent = 0;  ///< metres, of what is shot at
 };
 
+/// Of an endless lattice so small that a ball fits between two, if it can.
+double child_radius(const NodeType& type, const Values& values) {
+    constexpr double usual = 0.025, least = 0.002;
+    if (!type.kernels->lattice) return usual;
+    const Vec2 step = type.kernels->lattice(pack(type, values, type.kernels->derived_count).data()).step;
+    const double narrowest = std::min(step.x() > 0 ? step.x() : infinity, step.y() > 0 ? step.y() : infinity);
+    return std::clamp(0.5 * narrowest - 1.1 * r, least, usual);
+}
+
 Range range_of(const NodeType& type, const Values& values) {
     Range out;
     Scene scene(test::catalogue());
     const NodeId target = add_with(scene, type, values);
     const double apart = 0.03;
     for (int i = 0; i < type.meta.children.min; ++i)
-        test::add(scene, "circle", target, {{"radius", 0.025}, {"at", Vec2(apart * (1 - i), 0.01)}});
+        test::add(scene, "circle", target, {{"radius", child_radius(type, values)}, {"at", Vec2(apart * (1 - i), 0.01)}});
     const NodeId air = test::add(scene, "domain");
     const Subject alone(type, values, std::vector<Subject>(static_cast<std::size_t>(type.meta.children.min),
                                                            Subject(*test::catalogue()->find("circle"), {0.06})));
@@ -41,10 +50,10 @@ Range range_of(const NodeType& type, const Values& values) {
 }
 
 struct Shot {
-    Vec2 from, velocity;
+    Vec2 from{0, 0}, velocity{0, 0};
 };
 
-/// From a free place near the room's walls to a place in the target.
+/// From a free place near the room's walls to a place in the target; with no velocity when no place is free.
 Shot shot_at(const Range& range, double speed, CounterRng& rng) {
     for (int attempt = 0; attempt < 100; ++attempt) {
         const SineCosine side = sine_cosine(rng.in(0, two_pi));
