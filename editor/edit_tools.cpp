@@ -183,7 +183,8 @@ void Scrub::cancel(Document& document) {
 }
 
 Result<Value> value_of(const FieldType& field, std::string_view text) {
-    const bool list = field.kind == FieldKind::vec2 || field.kind == FieldKind::points || field.kind == FieldKind::names;
+    const bool list = field.kind == FieldKind::vec2 || field.kind == FieldKind::points || field.kind == FieldKind::names ||
+                      field.kind == FieldKind::choices;
     std::string written(text);
     if (field.kind == FieldKind::vec2 && !written.starts_with('[')) written = "[" + written + "]";
     const SourceText source("", written);
@@ -220,6 +221,7 @@ std::string text_of(const Document& document, NodeId id, int field) {
             for (int i = 0; i < component_count(slot.value); i += 2) pairs.push_back(spell_pair(i));
             return fmt::format("[{}]", fmt::join(pairs, ", "));
         }
+        case FieldKind::choices:
         case FieldKind::names: return fmt::format("[{}]", fmt::join(std::get<std::vector<std::string>>(slot.value), ", "));
         default: return std::get<std::string>(slot.value);
     }

@@ -161,14 +161,35 @@ void boolean_control(const Row& row) {
     list.AddCircleFilled({place.x + (on ? w - r : r), top + r}, r - theme.px(3), ink(on ? palette::text : palette::quiet));
 }
 
-void choice_control(const Row& row) {
-    const std::string& now = std::get<std::string>(row.value());
-    if (!begin_combo(row.theme(), "##choice", now.c_str(), row.width)) return;
+/// A word of the field's choices, when the user takes another than `now`.
+std::optional<std::string> other_choice(const Row& row, const std::string& now, float width) {
+    std::optional<std::string> taken;
+    if (!begin_combo(row.theme(), "##choice", now.c_str(), width)) return taken;
     for (const std::string_view word : row.field().choices) {
         const std::string text(word);
-        if (ImGui::Selectable(text.c_str(), text == now) && text != now) row.set(text);
+        if (ImGui::Selectable(text.c_str(), text == now) && text != now) taken = text;
     }
     ImGui::EndCombo();
+    return taken;
+}
+
+void choice_control(const Row& row) {
+    if (const auto taken = other_choice(row, std::get<std::string>(row.value()), row.width)) row.set(*taken);
+}
+
+void choices_control(const Row& row) {
+    std::vector<std::string> words = std::get<std::vector<std::string>>(row.value());
+    const float gap = row.theme().px(6), half = std::floor(0.5f * (row.width - gap));
+    bool changed = false;
+    ImGui::BeginGroup();
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        if (i % 2 == 1) ImGui::SameLine(0, gap);
+        if (const auto taken = other_choice(row, words[i], words.size() == 1 ? row.width : half)) words[i] = *taken, changed = true;
+        ImGui::PopID();
+    }
+    ImGui::EndGroup();
+    if (changed) row.set(words);
 }
 
 /// Any value in the format's own spelling: a click lets it be typed.
@@ -245,6 +266,7 @@ void control(const Row& row) {
         case FieldKind::vec2: return vec2_control(row, 0);
         case FieldKind::points: return points_control(row);
         case FieldKind::choice: return choice_control(row);
+        case FieldKind::choices: return choices_control(row);
         case FieldKind::color: return color_control(row);
         case FieldKind::names: return names_control(row);
         case FieldKind::text:

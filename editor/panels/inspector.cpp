@@ -93,7 +93,7 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
 
 void field_rows(AppState& state, Ui& ui, const Node& node, bool common) {
     for (std::size_t i = 0; i < node.type->fields.size(); ++i)
-        if (node.type->fields[i].common == common) field_row(state, ui, node, static_cast<int>(i));
+        if (node.type->fields[i].common == common && (node.has_use_for(i) || node.fields[i].given)) field_row(state, ui, node, static_cast<int>(i));
 }
 
 void contracts(const Theme& theme, const NodeType& type) {

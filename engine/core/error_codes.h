@@ -78,6 +78,7 @@ enum class Code : unsigned char {
     empty_scene,
     unknown_keyboard_key,
     offset_of_bound,
+    idle_field,
 
     unknown_step,
 };

@@ -67,6 +67,10 @@ Json kind_schema(const FieldType& field) {
         case FieldKind::points:
             return {{"type", "array"}, {"items", pair_schema(field.meta)}, {"maxItems", Limits{}.points}};
         case FieldKind::choice: return {{"enum", field.choices}};
+        case FieldKind::choices: {
+            const Json word{{"enum", field.choices}};
+            return {{"anyOf", {word, {{"type", "array"}, {"items", word}, {"maxItems", Limits{}.points}}}}};
+        }
         case FieldKind::text: return {{"type", {"string", "number", "boolean"}}};
         case FieldKind::color:
             return {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};

@@ -51,7 +51,7 @@ std::string default_text(const FieldType& field) {
 
 /// "> 0, <= 1", the words of a choice, or nothing.
 std::string range_text(const FieldType& field) {
-    if (field.kind == FieldKind::choice) return fmt::format("{}", fmt::join(field.choices, " | "));
+    if (!field.choices.empty()) return fmt::format("{}", fmt::join(field.choices, " | "));
     std::string out;
     const FieldMeta& m = field.meta;
     if (std::isfinite(m.min.value)) out = fmt::format("{} {}", m.min.open ? ">" : ">=", to_text(m.min.value));
@@ -81,10 +81,15 @@ std::vector<FieldType> common_fields(const std::vector<const NodeType*>& types) 
     return out;
 }
 
+std::string meaning_of(const FieldType& field) {
+    const OnlyWith& with = field.meta.only_with;
+    return with.field.empty() ? std::string(field.meta.doc) : fmt::format("{} Only with {}: {}.", field.meta.doc, with.field, with.choice);
+}
+
 std::string field_text(const FieldType& field) {
     const std::string unit(symbol(field.meta.unit)), range = range_text(field);
     return fmt::format("    {:<14} {:<13} {:<8} {:<22} {:<24} {}\n", field.key, name(field.kind), unit,
-                       default_text(field), range, field.meta.doc);
+                       default_text(field), range, meaning_of(field));
 }
 
 /// A cell of a Markdown table holds no bare bar.
@@ -98,7 +103,7 @@ std::string field_table(const std::vector<FieldType>& fields) {
     std::string out = "| field | type | unit | default | range | meaning |\n|---|---|---|---|---|---|\n";
     for (const FieldType& f : fields)
         out += fmt::format("| `{}` | {} | {} | {} | {} | {} |\n", f.key, name(f.kind), symbol(f.meta.unit),
-                           cell(default_text(f)), cell(range_text(f)), cell(f.meta.doc));
+                           cell(default_text(f)), cell(range_text(f)), cell(meaning_of(f)));
     return out;
 }
 

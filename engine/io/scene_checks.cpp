@@ -46,7 +46,8 @@ void check_inputs(ReadContext& context, const Names& inputs, const FieldSlot& sl
                            suggestion(name, inputs));
 }
 
-void check_references(ReadContext& context, const Scene& scene) {
+/// What fields refer to, and whether they are of use.
+void check_fields(ReadContext& context, const Scene& scene) {
     Names materials, inputs;
     for (const NodeId id : scene.materials()) materials.push_back(scene.find(id)->name);
     for (const InputBinding& input : scene.inputs) inputs.push_back(input.name);
@@ -58,6 +59,9 @@ void check_references(ReadContext& context, const Scene& scene) {
         for (std::size_t i = 0; i < node.fields.size(); ++i) {
             const FieldType& field = node.type->fields[i];
             if (!node.fields[i].given) continue;
+            if (!node.has_use_for(i))
+                context.report(Code::idle_field, node.fields[i].where,
+                               fmt::format("{} does nothing without {}: {}", field.key, field.meta.only_with.field, field.meta.only_with.choice));
             if (field.kind == FieldKind::id && field.key != "id") check_material(context, materials, node.fields[i]);
             if (field.kind == FieldKind::names && field.meta.meaning == Meaning::input)
                 check_inputs(context, inputs, node.fields[i]);
@@ -89,7 +93,7 @@ void check_domains(ReadContext& context, const Scene& scene) {
 
 void check_scene(ReadContext& context, const Scene& scene) {
     check_ids(context, scene);
-    check_references(context, scene);
+    check_fields(context, scene);
     check_domains(context, scene);
 }
 

@@ -134,25 +134,32 @@ std::optional<std::string> read_name(ReadContext& context, const FieldType& fiel
     return std::string(node.text);
 }
 
-std::optional<Value> read_names(ReadContext& context, const FieldType& field, const YamlNode& node) {
-    std::vector<std::string> names;
+/// A list of what `read_text` reads of each item, at most `most` of them, or one alone without the brackets.
+template <class ReadText>
+std::optional<Value> read_texts(ReadContext& context, const YamlNode& node, std::size_t most, const ReadText& read_text) {
+    std::vector<std::string> texts;
     bool good = true;
     const auto take = [&](const YamlNode& item) {
-        const auto name = read_name(context, field, item);
-        if (name)
-            names.push_back(*name);
-        else
-            good = false;
+        std::optional<std::string> text = read_text(item);
+        if (text) texts.push_back(std::move(*text));
+        else good = false;
     };
-    if (node.kind == YamlKind::sequence)
-        std::for_each(node.items.begin(), node.items.end(), [&](const YamlNode* item) { take(item->resolved()); });
-    else
+    if (node.kind != YamlKind::sequence) {
         take(node);
+    } else if (node.items.size() > most) {
+        context.report(Code::too_many_points, node.span, fmt::format("{} words; at most {} are read", node.items.size(), most));
+        return {};
+    } else {
+        for (const YamlNode* item : node.items)
+            if (!context.full()) take(item->resolved());
+    }
     if (!good) return {};
-    return names;
+    return texts;
 }
 
-std::optional<Value> read_color(ReadContext& context, const YamlNode& node) {
+std::optional<Value> read_color(ReadContext& context, const FieldType& field, const YamlNode& node) {
+    if (node.kind != YamlKind::scalar) return report_shape(context, node, fmt::format("a {}", name(field.kind))), std::nullopt;
+    if (report_dollar(context, node)) return {};
     if (parse_color(node.text)) return std::string(node.text);
     const bool hex = (node.text.size() == 3 || node.text.size() == 6) &&
                      node.text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
@@ -165,18 +172,18 @@ std::optional<Value> read_color(ReadContext& context, const YamlNode& node) {
     return {};
 }
 
-std::optional<Value> read_word(ReadContext& context, const FieldType& field, const YamlNode& node) {
+/// A text, or one of the words that a field chooses from.
+std::optional<std::string> read_word(ReadContext& context, const FieldType& field, const YamlNode& node) {
     if (node.kind != YamlKind::scalar)
-        return report_shape(context, node, fmt::format("a {}", name(field.kind))), std::nullopt;
+        return report_shape(context, node, fmt::format("a {}", name(field.choices.empty() ? field.kind : FieldKind::choice))), std::nullopt;
     if (report_dollar(context, node)) return {};
-    if (field.kind == FieldKind::color) return read_color(context, node);
-    Value value = std::string(node.text);
+    std::string word(node.text);
+    const Value value = field.kind == FieldKind::choices ? Value(std::vector{word}) : Value(word);
     if (const auto why = refuse(field, value)) {
-        context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why),
-                       suggestion(node.text, field.choices));
+        context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why), suggestion(word, field.choices));
         return {};
     }
-    return value;
+    return word;
 }
 
 }  // namespace
@@ -235,10 +242,16 @@ std::optional<Value> read_value(ReadContext& context, const FieldType& field, co
             const auto id = read_name(context, field, node);
             return id ? std::optional<Value>(*id) : std::nullopt;
         }
-        case FieldKind::names: return read_names(context, field, node);
+        case FieldKind::names:
+            return read_texts(context, node, context.limits.events, [&](const YamlNode& item) { return read_name(context, field, item); });
+        case FieldKind::choices:
+            return read_texts(context, node, context.limits.points, [&](const YamlNode& item) { return read_word(context, field, item); });
+        case FieldKind::color: return read_color(context, field, node);
         case FieldKind::text:
-        case FieldKind::choice:
-        case FieldKind::color: return read_word(context, field, node);
+        case FieldKind::choice: {
+            auto word = read_word(context, field, node);
+            return word ? std::optional<Value>(std::move(*word)) : std::nullopt;
+        }
     }
     return {};
 }

@@ -4,7 +4,7 @@
 
 #include "engine/program/cutting.h"
 #include "engine/program/evaluate.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 
 namespace pinfield {
 namespace {
@@ -65,13 +65,14 @@ private:
         if (solid_left != solid_right) out.push_back({solid_left ? part : reversed(part), edge.origin});
     }
 
-    /// The leaf's distance at p, or a bound of it. What was traced is asked by its outline, which is what the others are cut by.
+    /// The leaf's distance at p, or a bound of it. Its outline is asked, which is what the others are cut by, where p is on it and the
+    /// formula's foot is too near to tell the sides, and where it was traced.
     sdf::Sample sample_of(const LeafImage& leaf, const Vec2& p) const {
         const sdf::Sample own = evaluate_tree(field_, leaf.leaf, leaf.field_from_leaf.inverse() * p);
-        if (leaf.error == 0) return {own.value, leaf.field_from_leaf.direction(own.gradient)};
-        PieceFoot nearest;
+        if (leaf.error == 0 && (std::fabs(own.value) > tolerance_ || leaf.endless)) return {own.value, leaf.field_from_leaf.direction(own.gradient)};
+        sdf::PieceFoot nearest;
         for (const Piece& piece : leaf.outline) {
-            const PieceFoot foot = foot_on_piece(piece, p);
+            const sdf::PieceFoot foot = foot_on_piece(piece, p);
             if (foot.distance < nearest.distance) nearest = foot;
         }
         const bool inside = nearest.interior ? nearest.inside : own.value < 0;

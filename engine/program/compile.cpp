@@ -62,13 +62,14 @@ void add_missing_domain(Kitchen& kitchen, const std::vector<Item>& items, Progra
 tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
     std::vector<Item> items;
     for (const NodeId root : scene.roots()) collect_items(scene, root, items);
-    Kitchen kitchen{scene, layer_names(scene, items), {}};
+    Kitchen kitchen(scene, layer_names(scene, items));
     if (kitchen.layers.size() > most_layers) {
         kitchen.problems.push_back(diagnose(
             Code::out_of_range, scene.table().where,
             fmt::format("the table has {} layers, at most {} are possible", kitchen.layers.size(), most_layers)));
         return tl::unexpected(kitchen.problems);
     }
+    kitchen.paths = scene.paths();
     auto program = std::make_shared<Program>();
     program->layers = kitchen.layers;
     program->materials = cook_materials(scene);

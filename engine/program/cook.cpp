@@ -5,7 +5,7 @@
 #include "engine/core/error_codes.h"
 #include "engine/core/trig.h"
 #include "engine/program/field.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 
 namespace pinfield {
 namespace {
@@ -60,6 +60,13 @@ int input_index(Kitchen& kitchen, const Node& node, const std::string& name, Spa
 
 }  // namespace
 
+Kitchen::Kitchen(const Scene& of, std::vector<std::string> named_layers) : scene(of), layers(std::move(named_layers)) {
+    materials["default"] = 0;
+    int position = 0;  // as cook_materials() orders them
+    for (const NodeId id : scene.materials())
+        if (const std::string& name = scene.find(id)->name; name != "default") materials.emplace(name, ++position);
+}
+
 void collect_items(const Scene& scene, NodeId id, std::vector<Item>& out) {
     const Node& node = *scene.find(id);
     if (!node.type->part) {
@@ -105,7 +112,8 @@ Part cook_part(Kitchen& kitchen, const Item& item) {
     Part part;
     part.type = node.type;
     part.origin = item.node;
-    part.name = kitchen.scene.path(item.node);
+    const auto known = kitchen.paths.find(item.node);
+    part.name = known != kitchen.paths.end() ? known->second : kitchen.scene.path(item.node);
     part.world_from_part = world_from_local(kitchen.scene, item.node);
     std::vector<Value> values;
     for (int i = 0; i < node.type->own_fields; ++i) {

@@ -1,6 +1,7 @@
 // Scene nodes one at a time into what a Program is made of. compile.cpp cooks all of them, patch.cpp those that an edit
 // touched: both through these functions, so that a patched program cannot differ from a compiled one.
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,12 @@ namespace pinfield {
 
 /// What cooking a node needs to know of the table around it.
 struct Kitchen {
+    Kitchen(const Scene& of, std::vector<std::string> named_layers);
+
     const Scene& scene;
-    std::vector<std::string> layers;  ///< as Program::layers
+    std::vector<std::string> layers;       ///< as Program::layers
+    std::map<std::string, int> materials;  ///< by name, where in Program::materials
+    std::map<NodeId, std::string> paths;   ///< of all nodes, when all are to be cooked: one path alone costs all its siblings
     Diagnostics problems;
 };
 

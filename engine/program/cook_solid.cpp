@@ -190,17 +190,11 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
     }
 }
 
-/// Index into Program::materials, as cook_materials() orders them.
+/// Index into Program::materials; the default's when there is no such material.
 int Emitter::material_of(NodeId id) const {
     if (id == scene_.table().id) return 0;
-    const NodeId material = scene_.material_of(id);
-    if (!material || scene_.find(material)->name == "default") return 0;
-    int position = 1;
-    for (const NodeId other : scene_.materials()) {
-        if (other == material) return position;
-        if (scene_.find(other)->name != "default") ++position;
-    }
-    return 0;
+    const auto found = kitchen_.materials.find(scene_.material_name(id));
+    return found != kitchen_.materials.end() ? found->second : 0;
 }
 
 /// The field's only solid, from its last op down.

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/program/bvh.h"
-#include "engine/program/meet.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/meet.h"
+#include "engine/sdf/piece_distance.h"
 
 namespace pinfield {
 namespace {
@@ -48,13 +48,6 @@ void cut_all(std::vector<Edge>& edges, double tolerance) {
         for (const int j : partners)
             if (static_cast<std::size_t>(j) > i) cut_pair(edges[i], edges[static_cast<std::size_t>(j)], tolerance);
     }
-}
-
-Piece reversed(const Piece& piece) {
-    Piece out = piece;
-    std::swap(out.a, out.b);
-    out.turn = -piece.turn;
-    return out;
 }
 
 std::vector<Piece> parts_of(const Edge& edge) {

@@ -23,8 +23,6 @@ void cut_all(std::vector<Edge>& edges, double tolerance);
 /// The edge from cut to cut.
 std::vector<sdf::Piece> parts_of(const Edge& edge);
 
-sdf::Piece reversed(const sdf::Piece& piece);
-
 /// A point of the piece away from its ends and, for an uncut circle, from `touched`; with the normal to its right.
 struct Probe {
     Vec2 at, right;

@@ -1,6 +1,6 @@
 #include "engine/program/evaluate.h"
 
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 #include "engine/program/trace.h"
 #include "engine/program/tree.h"
 #include "engine/program/zero_loops.h"
@@ -27,7 +27,7 @@ struct Winner {
 
 Nearest surface(const Field& field, int piece, const Vec2& p, bool inside_at_ends) {
     const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(piece)];
-    const PieceFoot foot = foot_on_piece(boundary.piece, p);
+    const sdf::PieceFoot foot = foot_on_piece(boundary.piece, p);
     Nearest out;
     out.solid = boundary.solid;
     out.leaf = boundary.leaf;
@@ -154,7 +154,7 @@ Nearest nearest_one_by_one(const Field& field, const Vec2& p, LayerMask layers, 
 }  // namespace
 
 double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot) {
-    const PieceFoot found = foot_on_piece(piece, p);
+    const sdf::PieceFoot found = foot_on_piece(piece, p);
     foot = found.foot;
     return found.distance;
 }

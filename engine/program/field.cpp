@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 #include "engine/sdf/register.h"
 
 namespace pinfield {

@@ -6,7 +6,7 @@
 #include "engine/program/arrangement.h"
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 #include "engine/program/trace.h"
 
 namespace pinfield {
@@ -106,7 +106,7 @@ bool LeafCollector::add_shape(int index, const Similarity& chain) {
     const Similarity field_from_local = op.local_from_field.inverse();
     std::vector<OwnedPiece> pieces;
     for (const Piece& piece : local) pieces.push_back({moved(field_from_local, piece), index});
-    return add(index, chain, pieces);
+    return pieces.empty() ? add_traced(index, chain) : add(index, chain, pieces);
 }
 
 /// A metre of its line to either side of the point nearest to the origin: cut_at_horizon() makes it long.

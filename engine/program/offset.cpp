@@ -5,6 +5,7 @@
 
 #include "engine/program/cutting.h"
 #include "engine/program/tree.h"
+#include "engine/sdf/piece_distance.h"
 
 namespace pinfield {
 namespace {

@@ -13,7 +13,7 @@ namespace {
 class Patcher {
 public:
     Patcher(const Program& before, const Scene& scene)
-        : kitchen_{scene, before.layers, {}}, program_(std::make_shared<Program>(before)) {}
+        : kitchen_(scene, before.layers), program_(std::make_shared<Program>(before)) {}
 
     ProgramPtr record_changed(NodeId record) {
         const Scene& scene = kitchen_.scene;

@@ -5,7 +5,7 @@
 
 #include "engine/program/biarc.h"
 #include "engine/program/evaluate.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 #include "engine/program/tree.h"
 #include "engine/program/zero_loops.h"
 

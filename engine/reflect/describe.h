@@ -36,6 +36,11 @@ constexpr Limit to(double v) { return {v, false}; }
 /// What a text field means; `plain` for every field that is not a text.
 enum class Meaning : unsigned char { plain, color, id, input };
 
+/// The field means something only where the node's choice `field` is `choice`; always when empty.
+struct OnlyWith {
+    std::string_view field{}, choice{};
+};
+
 /// Ranges hold for every component of a vec2 and every point of a list.
 struct FieldMeta {
     Unit unit = Unit::none;
@@ -44,6 +49,7 @@ struct FieldMeta {
     double step = 0;        ///< of a drag in the editor, in file units; 0 lets the editor choose
     bool required = false;  ///< true: the author must say it, there is no default
     Meaning meaning = Meaning::plain;
+    OnlyWith only_with{};
     std::string_view doc{};
 };
 

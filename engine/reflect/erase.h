@@ -27,9 +27,10 @@ FieldKind kind_of(Meaning meaning) {
     else if constexpr (std::is_same_v<M, Point<double>>) return FieldKind::vec2;
     else if constexpr (std::is_same_v<M, PointList<double>>) return FieldKind::points;
     else if constexpr (Choice<M>) return FieldKind::choice;
+    else if constexpr (is_choice_list<M>) return FieldKind::choices;
     else if constexpr (std::is_same_v<M, std::vector<std::string>>) return FieldKind::names;
     else {
-        static_assert(std::is_same_v<M, std::string>, "a field is bool, int, double, Point, PointList, enum or text");
+        static_assert(std::is_same_v<M, std::string>, "a field is bool, int, double, Point, PointList, enum, ChoiceList or text");
         return meaning == Meaning::color ? FieldKind::color : meaning == Meaning::id ? FieldKind::id : FieldKind::text;
     }
 }
@@ -44,6 +45,10 @@ Value value_of(const M& member) {
         return points;
     } else if constexpr (Choice<M>) {
         return std::string(choice_names(member)[static_cast<std::size_t>(member)]);
+    } else if constexpr (is_choice_list<M>) {
+        std::vector<std::string> words;
+        for (int i = 0; i < member.count; ++i) words.emplace_back(choice_names(member[i])[static_cast<std::size_t>(member[i])]);
+        return words;
     } else {
         return member;
     }
@@ -58,6 +63,8 @@ FieldType erase_field(const T& defaults) {
     FieldType out{f.key, kind_of<M>(f.meta.meaning), f.meta, value_of(defaults.*f.member), {}, false};
     if constexpr (Choice<M>)
         for (const std::string_view word : choice_names(M{})) out.choices.push_back(word);
+    if constexpr (is_choice_list<M>)
+        for (const std::string_view word : choice_names(decltype(M{}[0]){})) out.choices.push_back(word);
     return out;
 }
 

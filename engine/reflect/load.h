@@ -18,6 +18,10 @@ template <class M>
 inline constexpr bool is_point_list = false;
 template <class R>
 inline constexpr bool is_point_list<PointList<R>> = true;
+template <class M>
+inline constexpr bool is_choice_list = false;
+template <class E>
+inline constexpr bool is_choice_list<ChoiceList<E>> = true;
 
 template <class T, class M>
 inline void load_member(M T::*member, T& node, const double* block, int& slot) {
@@ -29,6 +33,10 @@ inline void load_member(M T::*member, T& node, const double* block, int& slot) {
         slot += 2;
     } else if constexpr (is_point_list<M>) {
         out.xy = block + static_cast<int>(block[slot]);
+        out.count = static_cast<int>(block[slot + 1]);
+        slot += 2;
+    } else if constexpr (is_choice_list<M>) {
+        out.indices = block + static_cast<int>(block[slot]);
         out.count = static_cast<int>(block[slot + 1]);
         slot += 2;
     } else if constexpr (std::is_same_v<M, bool>) {

@@ -35,6 +35,15 @@ std::optional<std::string> refuse_vec2(const FieldMeta& meta, const Vec2& v) {
     return refuse_number(meta, v.y());
 }
 
+std::optional<std::string> refuse_choice(const FieldType& field, const std::string& word) {
+    if (std::find(field.choices.begin(), field.choices.end(), word) != field.choices.end()) return {};
+    return fmt::format("must be one of {}", fmt::join(field.choices, ", "));
+}
+
+double index_of_choice(const FieldType& field, const std::string& word) {
+    return static_cast<double>(std::find(field.choices.begin(), field.choices.end(), word) - field.choices.begin());
+}
+
 }  // namespace
 
 std::optional<int> NodeType::find_field(std::string_view wanted) const {
@@ -63,13 +72,14 @@ std::optional<std::string> refuse(const FieldType& field, const Value& value) {
             for (const Vec2& p : std::get<std::vector<Vec2>>(value))
                 if (auto why = refuse_vec2(field.meta, p)) return why;
             return {};
-        case FieldKind::choice: {
+        case FieldKind::choice:
             if (!std::holds_alternative<std::string>(value)) return wrong_kind();
-            const auto& word = std::get<std::string>(value);
-            if (std::find(field.choices.begin(), field.choices.end(), word) == field.choices.end())
-                return fmt::format("must be one of {}", fmt::join(field.choices, ", "));
+            return refuse_choice(field, std::get<std::string>(value));
+        case FieldKind::choices:
+            if (!std::holds_alternative<std::vector<std::string>>(value)) return wrong_kind();
+            for (const std::string& word : std::get<std::vector<std::string>>(value))
+                if (auto why = refuse_choice(field, word)) return why;
             return {};
-        }
         case FieldKind::text:
         case FieldKind::color:
         case FieldKind::id:
@@ -85,7 +95,7 @@ std::optional<std::string> refuse(const FieldType& field, const Value& value) {
 std::vector<double> pack(const NodeType& type, std::span<const Value> own_values, int derived) {
     assert(static_cast<int>(own_values.size()) >= type.own_fields && "pack needs a value for every own field");
     std::vector<double> block;
-    std::vector<std::pair<std::size_t, const std::vector<Vec2>*>> lists;
+    std::vector<std::pair<std::size_t, std::size_t>> lists;  // where in the block each is told of, and which field it is
     for (std::size_t i = 0; i < static_cast<std::size_t>(type.own_fields); ++i) {
         const FieldType& field = type.fields[i];
         const Value& value = own_values[i];
@@ -97,13 +107,10 @@ std::vector<double> pack(const NodeType& type, std::span<const Value> own_values
                 block.push_back(std::get<Vec2>(value).x());
                 block.push_back(std::get<Vec2>(value).y());
                 break;
-            case FieldKind::choice: {
-                const auto at = std::find(field.choices.begin(), field.choices.end(), std::get<std::string>(value));
-                block.push_back(static_cast<double>(at - field.choices.begin()));
-                break;
-            }
+            case FieldKind::choice: block.push_back(index_of_choice(field, std::get<std::string>(value))); break;
             case FieldKind::points:
-                lists.emplace_back(block.size(), &std::get<std::vector<Vec2>>(value));
+            case FieldKind::choices:
+                lists.emplace_back(block.size(), i);
                 block.insert(block.end(), 2, 0.0);
                 break;
             case FieldKind::text:
@@ -113,12 +120,15 @@ std::vector<double> pack(const NodeType& type, std::span<const Value> own_values
         }
     }
     block.insert(block.end(), static_cast<std::size_t>(derived), 0.0);
-    for (const auto& [slot, points] : lists) {
+    for (const auto& [slot, i] : lists) {
         block[slot] = static_cast<double>(block.size());
-        block[slot + 1] = static_cast<double>(points->size());
-        for (const Vec2& p : *points) {
-            block.push_back(p.x());
-            block.push_back(p.y());
+        if (const auto* points = std::get_if<std::vector<Vec2>>(&own_values[i])) {
+            block[slot + 1] = static_cast<double>(points->size());
+            for (const Vec2& p : *points) block.insert(block.end(), {p.x(), p.y()});
+        } else {
+            const auto& words = std::get<std::vector<std::string>>(own_values[i]);
+            block[slot + 1] = static_cast<double>(words.size());
+            for (const std::string& word : words) block.push_back(index_of_choice(type.fields[i], word));
         }
     }
     return block;

@@ -21,7 +21,7 @@ struct FieldType {
     FieldKind kind = FieldKind::number;
     FieldMeta meta;
     Value initial;
-    std::vector<std::string_view> choices;  ///< of a `choice`, in declaration order
+    std::vector<std::string_view> choices;  ///< of a `choice` or `choices`, in declaration order
     bool common = false;                    ///< one of the fields every scene node has (id, at, turn ...)
 };
 

@@ -32,6 +32,7 @@ std::string_view name(FieldKind kind) {
         case FieldKind::points: return "list of vec2";
         case FieldKind::text: return "string";
         case FieldKind::choice: return "enum";
+        case FieldKind::choices: return "list of enum";
         case FieldKind::color: return "colour";
         case FieldKind::id: return "id";
         case FieldKind::names: return "list of ids";

@@ -11,8 +11,8 @@
 namespace pinfield {
 
 /// Numbers are SI; angles are degrees, as in the file (radians begin where a value is packed for a formula).
-/// A choice, a colour and an id are texts; `names` is a list of ids.
-enum class FieldKind : unsigned char { boolean, integer, number, vec2, points, text, choice, color, id, names };
+/// A choice, a colour and an id are texts; `choices` and `names` are lists of choices and of ids.
+enum class FieldKind : unsigned char { boolean, integer, number, vec2, points, text, choice, choices, color, id, names };
 
 using Value = std::variant<bool, std::int64_t, double, Vec2, std::vector<Vec2>, std::string, std::vector<std::string>>;
 

@@ -55,6 +55,11 @@ const Value& Node::value(std::string_view key_of_field) const {
     return fields[static_cast<std::size_t>(*index)].value;
 }
 
+bool Node::has_use_for(std::size_t field) const {
+    const OnlyWith& with = type->fields[field].meta.only_with;
+    return with.field.empty() || get<std::string>(with.field) == with.choice;
+}
+
 Scene::Scene(std::shared_ptr<const Catalogue> catalogue) : catalogue_(std::move(catalogue)) {
     table_ = insert(*catalogue_->find("table"), {}).id;
     physics_ = insert(*catalogue_->find("physics"), {}).id;
@@ -140,18 +145,10 @@ std::vector<NodeId> Scene::all() const {
     return out;
 }
 
-NodeId Scene::material_of(NodeId id) const {
-    std::string wanted = "default";
-    for (const Node* node = find(id); node; node = node->parent ? find(node->parent) : nullptr) {
-        const auto& own = node->get<std::string>("material");
-        if (!own.empty()) {
-            wanted = own;
-            break;
-        }
-    }
-    for (const NodeId material : materials_)
-        if (find(material)->name == wanted) return material;
-    return {};
+std::string Scene::material_name(NodeId id) const {
+    for (const Node* node = find(id); node; node = node->parent ? find(node->parent) : nullptr)
+        if (const auto& own = node->get<std::string>("material"); !own.empty()) return own;
+    return "default";
 }
 
 void Scene::keep_ids_of(const Scene& before) {

@@ -33,6 +33,8 @@ struct Node {
     Span key{};                     ///< its type's word (or a material's name) in the text
 
     const Value& value(std::string_view key_of_field) const;
+    /// Does the field mean anything beside the values of the others (FieldMeta::only_with)?
+    bool has_use_for(std::size_t field) const;
     template <class T>
     const T& get(std::string_view key_of_field) const { return std::get<T>(value(key_of_field)); }
 };
@@ -92,8 +94,8 @@ public:
     const std::vector<NodeId>& materials() const { return materials_; }
     /// All ids in use: records, materials, then scene nodes in file order (preorder).
     std::vector<NodeId> all() const;
-    /// Material of a node: its own, else the nearest ancestor's that names one, else "default". Empty NodeId when undefined.
-    NodeId material_of(NodeId id) const;
+    /// Name of a node's material: its own, else the nearest ancestor's that names one, else "default". It may not be defined.
+    std::string material_name(NodeId id) const;
 
     std::vector<InputBinding> inputs;
     std::vector<TableTest> tests;

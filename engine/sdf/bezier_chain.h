@@ -48,7 +48,8 @@ Point<R> nearest_on_bezier(const Point<R>& p, const BezierView& curve) {
 
 /// Whether the ray from p along +x crosses the curve an odd number of times. The curve is cut where it turns from rising to falling; each
 /// part crosses p's height once if its ends lie on different sides of it. Ends that parts and curves share are the same numbers, so that
-/// no ray slips between two.
+/// no ray slips between two; they decide, too, from which side the part starts, as the polynomial may round to the other at a turning
+/// point that p is level with.
 template <class R>
 auto crosses_oddly(const Point<R>& p, const BezierView& curve) {
     const PowerForm c = curve.power_form();
@@ -64,12 +65,12 @@ auto crosses_oddly(const Point<R>& p, const BezierView& curve) {
     const auto height_at = [&](double t) { return t <= 0 ? curve[0].y : t >= 1 ? curve.end().y : c.at(t).y; };
     for (int i = 0; i < 3; ++i) {
         if (!(cuts[i] < cuts[i + 1])) continue;
-        const auto straddles = exactly_one(R(height_at(cuts[i])) <= p.y, R(height_at(cuts[i + 1])) <= p.y);
+        const auto starts_under = R(height_at(cuts[i])) <= p.y, straddles = exactly_one(starts_under, R(height_at(cuts[i + 1])) <= p.y);
         // Downwards, so that a point on p's height counts as not above it, as it does for the ends.
         const auto depth = [&](const R& t) { return p.y - R(c.v0.y) - t * (R(c.v1.y) + t * (R(c.v2.y) + t * R(c.v3.y))); };
         const auto slope = [&](const R& t) { return -(R(c.v1.y) + t * (R(2 * c.v2.y) + t * R(3 * c.v3.y))); };
         const R t = curve.degree == 1 ? (p.y - R(c.v0.y)) / R(c.v1.y == 0 ? 1 : c.v1.y)
-                                      : sign_change(R(cuts[i]), R(cuts[i + 1]), 12, 3, depth, slope);
+                                      : sign_change(R(cuts[i]), R(cuts[i + 1]), invert(starts_under), 12, 3, depth, slope);
         const R x = R(c.v0.x) + t * (R(c.v1.x) + t * (R(c.v2.x) + t * R(c.v3.x)));
         odd = exactly_one(odd, both(straddles, x > p.x));
     }

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "engine/sdf/outline_distance.h"
+#include "engine/sdf/piece_distance.h"
 
 namespace pinfield::sdf {
 namespace {
@@ -45,8 +46,8 @@ Outline without_reflex(const Outline& outline) {
 
 /// How far to turn counter-clockwise from one unit direction to another: grows with the angle, 0 ... 4.
 double turn_between(const Vec2& from, const Vec2& to) {
-    const double c = pinfield::dot(from, to);
-    return pinfield::cross(from, to) >= 0 ? 1 - c : 3 + c;
+    const double c = dot(from, to);
+    return cross(from, to) >= 0 ? 1 - c : 3 + c;
 }
 
 /// The piece that ends where this one starts, to within `tolerance`. Where several do, loops touch there: the solid to the left of this
@@ -69,7 +70,7 @@ const Piece& before(const Outline& pieces, std::size_t i, double tolerance) {
 Vec2 corner_direction(const Vec2& arriving, const Vec2& leaving) {
     const Vec2 sum = right_of(arriving) + right_of(leaving);
     if (length(sum) > 1e-9) return unit(sum);
-    return pinfield::cross(arriving, leaving) >= 0 ? arriving : Vec2(-arriving);
+    return cross(arriving, leaving) >= 0 ? arriving : Vec2(-arriving);
 }
 
 PackedPiece packed(const Outline& pieces, std::size_t i, double tolerance) {
@@ -104,16 +105,7 @@ void close_by_reflection(Outline& upper_half) {
 
 Box2 bounds_of(const Outline& outline) {
     Box2 box;
-    for (const Piece& piece : outline) {
-        box = box.including(piece.a).including(piece.b);
-        if (!piece.is_arc()) continue;
-        for (const Vec2& axis : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)}) {
-            const Vec2 from = piece.a - piece.centre, to = piece.b - piece.centre;
-            const bool after_start = piece.turn * pinfield::cross(from, axis) >= 0, before_end = piece.turn * pinfield::cross(axis, to) >= 0;
-            const bool on_arc = piece.is_full_circle() || (piece.reflex ? after_start || before_end : after_start && before_end);
-            if (on_arc) box = box.including(piece.centre + piece.radius * axis);
-        }
-    }
+    for (const Piece& piece : outline) box = box.merged(bounds_of(piece));
     return box;
 }
 

@@ -20,6 +20,8 @@ public:
         if (p != at_) out_.push_back(Piece::arc(centre, length(at_ - centre), at_, p, turn, reflex));
         at_ = p;
     }
+    /// Round the circle about `centre` through the present place, and back to it.
+    void full_circle(const Vec2& centre, int turn) { out_.push_back(Piece::arc(centre, length(at_ - centre), at_, at_, turn, true)); }
     /// Back to the start by a straight line.
     void close() { line_to(start_); }
 

@@ -77,6 +77,7 @@ const std::vector<PlantedFault>& planted_faults() {
         {"a Lipschitz constant too small", "no enclosure of the gradient refutes the Lipschitz constant", checked<WrongLipschitz>},
         {"a Lipschitz constant too small", "the disc of safe distance holds no surface", checked<WrongLipschitz>},
         {"an outline drawn as that of a hole", "the solid is on the left of its outline", checked<OutlineOfAHole>},
+        {"a normal by what rounding leaves", "the gradient on the outline points out", checked<NormalByFoot>},
         {"a length that nobody gave", "another size is the same figure in proportion", checked<HiddenLength>},
         {"a union that prefers its first child", "the order of a symmetric fold's children is no matter", checked<FirstComesFirst>},
         {"a region to the left of its chain", "the order of a chain's points is no matter", checked<LeftOfChain>},

@@ -229,6 +229,23 @@ struct OutlineOfAHole {
     static constexpr auto describe() { return shape<OutlineOfAHole>({.key = "outline_of_a_hole"}, fields()); }
 };
 
+/// The way to the foot decides the gradient, also where rounding is all that is left of it.
+template <class Real>
+struct NormalByFoot {
+    Real distance(const Point<Real>& p) const {
+        using Plain = decltype(frozen(Real(0)));
+        const Point<Plain> q{frozen(p.x), frozen(p.y)};
+        const Plain length = norm(q), scale = Plain(r) / max(length, Plain(1e-30));
+        const auto at_centre = length <= Plain(0);
+        const Point<Plain> foot{select(at_centre, Plain(r), q.x * scale), q.y * scale};
+        const Real from_foot = norm(Point<Real>{p.x - Real(foot.x), p.y - Real(foot.y)});
+        return select(length < Plain(r), -from_foot, from_foot);
+    }
+    Box2 bounds() const { return Box2::centred(r, r); }
+    void outline(Outline& out) const { disc_outline(out); }
+    static constexpr auto describe() { return shape<NormalByFoot>({.key = "normal_by_foot"}, fields()); }
+};
+
 /// A disc that is a nanometre larger than it was told, whatever its size.
 template <class Real>
 struct HiddenLength {

@@ -26,6 +26,7 @@ constexpr std::array all_laws{
     Law{"no side over-estimates", no_side_overestimates},
     Law{"the sign tells inside from outside", sign_tells_inside_from_outside},
     Law{"the solid is on the left of its outline", solid_is_on_the_left_of_its_outline},
+    Law{"the gradient on the outline points out", gradient_on_the_outline_points_out},
     Law{"the foot point is on the outline where the distance is exact", foot_point_is_on_the_outline_where_exact},
     Law{"another size is the same figure in proportion", size_is_a_matter_of_scale},
     Law{"the order of a symmetric fold's children is no matter", order_of_children_is_no_matter},

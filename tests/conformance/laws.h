@@ -70,6 +70,7 @@ void exact_sides_are_brute_force_distances(const Trial& trial);
 void no_side_overestimates(const Trial& trial);
 void sign_tells_inside_from_outside(const Trial& trial);
 void solid_is_on_the_left_of_its_outline(const Trial& trial);
+void gradient_on_the_outline_points_out(const Trial& trial);
 void foot_point_is_on_the_outline_where_exact(const Trial& trial);
 
 void size_is_a_matter_of_scale(const Trial& trial);

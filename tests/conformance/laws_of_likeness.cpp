@@ -91,6 +91,14 @@ void order_of_children_is_no_matter(const Trial& trial) {
     compare(trial, Subject(trial.subject.type(), trial.subject.values(), std::move(children)), "with its children reversed");
 }
 
+/// Words that say something else of each point.
+bool names_several(const std::vector<Value>& values) {
+    return std::any_of(values.begin(), values.end(), [](const Value& value) {
+        const auto* words = std::get_if<std::vector<std::string>>(&value);
+        return words && std::any_of(words->begin(), words->end(), [&](const std::string& word) { return word != words->front(); });
+    });
+}
+
 /// A chain of points is a figure, not a direction to draw it in.
 void order_of_points_is_no_matter(const Trial& trial) {
     std::vector<Value> values = trial.subject.values();
@@ -100,7 +108,7 @@ void order_of_points_is_no_matter(const Trial& trial) {
             std::reverse(points->begin(), points->end());
             any = true;
         }
-    if (!any) return;
+    if (!any || names_several(trial.subject.values())) return;
     if (!Subject::accepted(trial.subject.type(), values)) return trial.report("refused with its points reversed");
     compare(trial, Subject(trial.subject.type(), std::move(values), trial.subject.children()), "with its points reversed");
 }

@@ -58,7 +58,7 @@ void measure_outline(Trial& trial) {
     sdf::Outline pieces;
     Loop loop;
     if (k.outline) k.outline(subject.params(), pieces);
-    else if (k.trace) k.trace(subject.params(), 2000, loop);
+    if (pieces.empty() && k.trace) k.trace(subject.params(), 2000, loop);
     if (pieces.empty() && loop.empty()) return;
     OutlineTruth& truth = trial.truth;
     const std::vector<Loop> chains = loop.empty() ? chords_of(pieces) : std::vector<Loop>(1, loop);
@@ -134,6 +134,30 @@ void solid_is_on_the_left_of_its_outline(const Trial& trial) {
         const Vec2 left = step / length(chord) * perpendicular(chord);
         const double inside = trial.subject.value(p + left), outside = trial.subject.value(p - left);
         if (!(inside < 0 && outside > 0)) trial.report(fmt::format("{}: {} on the left, {} on the right", at(p), inside, outside));
+    }
+}
+
+/// In the middle of a piece of the outline, where rounding alone is left of the way to the foot, the gradient is the normal out of the
+/// solid: what stands or rolls there goes by it.
+void gradient_on_the_outline_points_out(const Trial& trial) {
+    if (!trial.subject.is_shape() || trial.exactness.outside != Side::exact || trial.exactness.inside != Side::exact) return;
+    const auto faces = [&](const Vec2& p, const Vec2& along) {
+        const Vec2 right = -perpendicular(along) / length(along), gradient = trial.subject.sample(p).gradient;
+        const bool is_thin = trial.subject.value(p - 1e-5 * trial.extent * right) >= 0;  // a collapsed triangle has no inside
+        if (!is_thin && !(dot(gradient, right) > 0.999)) trial.report(fmt::format("{} on the outline, which faces {}, {}: gradient {}, {}", at(p), right.x(), right.y(), gradient.x(), gradient.y()));
+    };
+    sdf::Outline pieces;
+    if (trial.subject.kernels().outline) trial.subject.kernels().outline(trial.subject.params(), pieces);
+    for (std::size_t i = 0; i < pieces.size(); i += pieces.size() / 24 + 1) {
+        const std::vector<Vec2> along = points_along(pieces[i], 41);
+        if (length(along[21] - along[19]) > 1e-6 * trial.extent) faces(along[20], (pieces[i].turn < 0 ? -1 : 1) * (along[21] - along[19]));
+    }
+    Loop loop;
+    if (pieces.empty() && trial.subject.kernels().trace) trial.subject.kernels().trace(trial.subject.params(), 200, loop);
+    for (std::size_t i = 1; i + 1 < loop.size(); i += loop.size() / 48 + 1) {
+        const Vec2 before = loop[i] - loop[i - 1], after = loop[i + 1] - loop[i];
+        const bool bends = dot(before, after) < 0.9999 * length(before) * length(after);
+        if (!bends && length(before) > 1e-6 * trial.extent) faces(loop[i], loop[i + 1] - loop[i - 1]);
     }
 }
 

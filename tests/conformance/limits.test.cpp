@@ -1,10 +1,13 @@
-// What a node refuses: whatever is no number, and the first number on the wrong side of each limit.
+// What a node refuses, whatever is no number and the first number on the wrong side of each limit, and which fields do nothing.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "engine/core/rng.h"
 #include "engine/scene/catalog.h"
+#include "tests/conformance/parameters.h"
 
 namespace pinfield::conformance {
 namespace {
@@ -65,6 +68,37 @@ TEST_CASE("every field of every node refuses what is no finite number, and each 
             limits += std::isfinite(field.meta.min.value) + std::isfinite(field.meta.max.value);
         }
     CHECK(limits > 100);
+}
+
+TEST_CASE("a field that is of use only with a choice changes distances with it, and none without") {
+    const Catalogue catalogue = built_in_catalogue();
+    int fields = 0;
+    for (const NodeType& type : catalogue.types())
+        for (std::size_t i = 0; type.kernels && i < static_cast<std::size_t>(type.own_fields); ++i) {
+            const OnlyWith& with = type.fields[i].meta.only_with;
+            if (with.field.empty()) continue;
+            INFO(type.key() << "." << type.fields[i].key);
+            ++fields;
+            const auto at = static_cast<std::size_t>(type.find_field(with.field).value());
+            REQUIRE(std::count(type.fields[at].choices.begin(), type.fields[at].choices.end(), with.choice) == 1);
+            for (const std::string_view choice : type.fields[at].choices) {
+                Values values = defaults_of(type);
+                values[at] = std::string(choice);
+                const Subject one = subjects_of(catalogue, type, values).front();
+                values[i] = std::get<std::int64_t>(values[i]) + 1;
+                const Subject other = subjects_of(catalogue, type, values).front();
+                CounterRng rng(12);
+                bool differ = false;
+                for (int k = 0; k < 2000; ++k) {
+                    const double x = rng.in(-0.05, 0.05);
+                    const Vec2 p(x, rng.in(-0.05, 0.05));
+                    differ = differ || one.value(p) != other.value(p);
+                }
+                INFO(choice);
+                CHECK(differ == (choice == with.choice));
+            }
+        }
+    CHECK(fields > 0);
 }
 
 }  // namespace pinfield::conformance

@@ -49,6 +49,11 @@ Value random_value(const FieldType& field, CounterRng& rng) {
             const auto n = static_cast<double>(field.choices.size());
             return std::string(field.choices[static_cast<std::size_t>(rng.in(0, n))]);
         }
+        case FieldKind::choices: {
+            std::vector<std::string> out(static_cast<std::size_t>(rng.in(1, 5)));
+            for (std::string& word : out) word = field.choices[static_cast<std::size_t>(rng.in(0, static_cast<double>(field.choices.size())))];
+            return out;
+        }
         default: return field.initial;
     }
 }
@@ -97,6 +102,28 @@ std::vector<Value> degenerate_field(const NodeType& type, const FieldType& field
     return out;
 }
 
+/// Random sets with one length, then another, of 0, both ways of each yes or no: a rim of no thickness is there for what is filled only.
+std::vector<Values> without_lengths(const NodeType& type) {
+    std::vector<Values> out;
+    CounterRng rng(21);
+    const auto own = static_cast<std::size_t>(type.own_fields);
+    for (int draw = 0; draw < 5; ++draw)
+        for (std::size_t i = 0; i < own; ++i) {
+            const FieldMeta& meta = type.fields[i].meta;
+            if (type.fields[i].kind != FieldKind::number || meta.unit != Unit::metre || meta.min.open || meta.min.value != 0) continue;
+            Values values = random_values(type, rng);
+            values[i] = 0.0;
+            if (Subject::accepted(type, values)) out.push_back(values);
+            for (std::size_t k = 0; k < own; ++k) {
+                bool* flag = std::get_if<bool>(&values[k]);
+                if (!flag) continue;
+                *flag = !*flag;
+                if (Subject::accepted(type, values)) out.push_back(values);
+            }
+        }
+    return out;
+}
+
 Subject child(const Catalogue& catalogue, std::string_view key, Values values, const Similarity& at,
               std::vector<Subject> below = {}) {
     return {*catalogue.find(key), std::move(values), std::move(below), at};
@@ -138,6 +165,8 @@ std::vector<Values> degenerate_values(const NodeType& type) {
             values[i] = extreme;
             if (Subject::accepted(type, values)) out.push_back(std::move(values));
         }
+    const std::vector<Values> thin = without_lengths(type);
+    out.insert(out.end(), thin.begin(), thin.end());
     return out;
 }
 

@@ -20,7 +20,7 @@ std::string text_of(const Value& value) {
         for (const Vec2& v : *list) out += fmt::format("[{}, {}] ", v.x(), v.y());
         return out + "]";
     }
-    return "...";
+    return fmt::format("[{}]", fmt::join(std::get<std::vector<std::string>>(value), ", "));
 }
 
 }  // namespace

@@ -139,6 +139,11 @@ Value another_value(const FieldType& field, const Value& value, CounterRng& rng)
             return points;
         }
         case FieldKind::choice: return std::string(field.choices[rng.next_u64() % field.choices.size()]);
+        case FieldKind::choices: {
+            std::vector<std::string> out(rng.next_u64() % 4);
+            for (std::string& word : out) word = field.choices[rng.next_u64() % field.choices.size()];
+            return out;
+        }
         case FieldKind::text: return std::string(words[rng.next_u64() % std::size(words)]);
         case FieldKind::color: return std::string(rng.next_u64() % 2 ? "#0a1b2c" : "gold");
         case FieldKind::id: return std::string("name_") + std::to_string(rng.next_u64() % 100);

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "engine/program/evaluate.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 #include "tests/program/tables.h"
 
 using namespace pinfield;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "engine/core/trig.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 #include "engine/program/tree.h"
 #include "engine/scene/playfield.h"
 #include "tests/program/tables.h"

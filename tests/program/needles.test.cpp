@@ -5,7 +5,7 @@
 
 #include "engine/core/trig.h"
 #include "engine/program/evaluate.h"
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 #include "engine/program/trace.h"
 #include "engine/program/tree.h"
 #include "tests/program/tables.h"

@@ -33,6 +33,11 @@ Value nudged(const FieldType& field, const Value& value, CounterRng& random) {
     } else if (field.kind == FieldKind::choice) {
         out = std::string(
             field.choices[static_cast<std::size_t>(random.uniform() * static_cast<double>(field.choices.size()))]);
+    } else if (field.kind == FieldKind::choices) {
+        auto words = std::get<std::vector<std::string>>(out);
+        if (random.uniform() < 0.3) words.push_back(words.front());
+        words.front() = field.choices[static_cast<std::size_t>(random.uniform() * static_cast<double>(field.choices.size()))];
+        out = std::move(words);
     } else if (field.kind == FieldKind::text || field.kind == FieldKind::id) {
         out = std::string(random.uniform() < 0.5 ? "rubber" : "default");
     }

@@ -84,7 +84,7 @@ private:
 
     NodeId leaf(NodeId parent) {
         NodeId id;
-        switch (pick(6)) {
+        switch (pick(7)) {
             case 0: id = add(scene_, "circle", parent, {{"radius", number(0.1, 0.5, 0.1)}}); break;
             case 1: {
                 const double w = number(0.2, 0.8, 0.2), h = number(0.2, 0.8, 0.2);
@@ -106,6 +106,15 @@ private:
                           {"b", Vec2(number(0.1, 0.4, 0.1), -0.2)},
                           {"c", Vec2(-0.2, number(0.1, 0.4, 0.1))}});
                 break;
+            case 5: {  // a box with one round end
+                const double w = number(0.1, 0.3, 0.1), h = number(0.1, 0.3, 0.1);
+                id = add(scene_, "path", parent,
+                         {{"points", std::vector<Vec2>{{-w, -h}, {w, -h}, {w + h, 0}, {w, h}, {-w, h}}},
+                          {"pieces", std::vector<std::string>{"line", "arc", "line"}},
+                          {"fill", true},
+                          {"thickness", 0.0}});
+                break;
+            }
             default:
                 id = add(scene_, "arc", parent,
                          {{"radius", number(0.2, 0.4, 0.1)},

@@ -19,15 +19,17 @@ TEST_CASE("an erased description says of each field what the struct says") {
     const NodeType type = node_type<Basket<double>>();
     CHECK(type.key() == "basket");
     CHECK(type.meta.kind == NodeKind::record);
-    CHECK(type.own_fields == 8);
+    CHECK(type.own_fields == 9);
     const FieldKind kinds[] = {FieldKind::boolean, FieldKind::integer, FieldKind::number, FieldKind::vec2,
-                               FieldKind::choice,  FieldKind::points,  FieldKind::id,     FieldKind::names};
-    for (std::size_t i = 0; i < 8; ++i) CHECK(type.fields[i].kind == kinds[i]);
+                               FieldKind::choice,  FieldKind::points,  FieldKind::id,     FieldKind::names,
+                               FieldKind::choices};
+    for (std::size_t i = 0; i < 9; ++i) CHECK(type.fields[i].kind == kinds[i]);
     CHECK(identical(type.fields[1].initial, std::int64_t{3}));
     CHECK(identical(type.fields[3].initial, Vec2(0.25, -0.5)));
     CHECK(identical(type.fields[4].initial, std::string("pear")));
     CHECK(identical(type.fields[5].initial, std::vector<Vec2>{{1, 2}, {3, 4}, {5, 6}}));
-    CHECK(type.fields[4].choices == std::vector<std::string_view>{"apple", "pear", "plum"});
+    CHECK(identical(type.fields[8].initial, std::vector<std::string>{"plum", "apple"}));
+    for (const std::size_t i : {4, 8}) CHECK(type.fields[i].choices == std::vector<std::string_view>{"apple", "pear", "plum"});
     CHECK(type.fields[2].meta.unit == Unit::kilogram);
     CHECK(type.contracts.size() == 2);
 }
@@ -39,6 +41,7 @@ TEST_CASE("what is packed is loaded again, into any scalar") {
     values[2] = 1.75;
     values[4] = std::string("plum");
     values[5] = std::vector<Vec2>{{7, 8}};
+    values[8] = std::vector<std::string>{"pear", "plum", "pear"};
     std::vector<double> block = pack(type, values, derived_count<Basket<double>>());
     derive_in_place<Basket<double>>(block.data());
 
@@ -51,6 +54,9 @@ TEST_CASE("what is packed is loaded again, into any scalar") {
     CHECK(basket.fruit == Fruit::plum);
     REQUIRE(basket.handles.count == 1);
     CHECK(basket.handles[0].y == 8);
+    REQUIRE(basket.layers.count == 3);
+    CHECK(basket.layers[0] == Fruit::pear);
+    CHECK(basket.layers[1] == Fruit::plum);
     CHECK(basket.total == 3 * 1.75);
 
     const auto rough = load<Basket<float>>(block.data());

@@ -25,6 +25,8 @@ struct Basket {
     PointList<Real> handles{example, 3};
     std::string label = "mine";
     std::vector<std::string> owners{};
+    static constexpr double usual[] = {2, 0};
+    ChoiceList<Fruit> layers{usual, 2};
     double total = 0;  // derived
 
     static constexpr auto derived() { return std::tuple(&Basket::total); }
@@ -40,7 +42,8 @@ struct Basket {
                                 field("fruit", &B::fruit, {.doc = "Which."}),
                                 field("handles", &B::handles, {.unit = Unit::metre, .required = true, .doc = "Where to hold it."}),
                                 field("label", &B::label, {.meaning = Meaning::id, .doc = "Its name."}),
-                                field("owners", &B::owners, {.doc = "Whose it is."})),
+                                field("owners", &B::owners, {.doc = "Whose it is."}),
+                                field("layers", &B::layers, {.doc = "From below."})),
                          contract("no more than 12 kg", [](const auto& b) { return b.count * b.weight <= 12; }),
                          contract("at least one handle", [](const auto& b) { return b.handles.count > 0; }));
     }

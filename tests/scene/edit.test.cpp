@@ -30,6 +30,7 @@ Value some_value(const FieldType& field, CounterRng& rng) {
         case FieldKind::vec2: return Vec2{rng.in(-0.1, 0.2), rng.in(0, 0.2)};
         case FieldKind::points: return std::vector<Vec2>{{0, 0}, {rng.in(0.1, 1), 0}, {0, rng.in(0.1, 1)}};
         case FieldKind::choice: return std::string(field.choices[rng.next_u64() % field.choices.size()]);
+        case FieldKind::choices: return std::vector<std::string>(1 + rng.next_u64() % 3, std::string(field.choices.front()));
         case FieldKind::id: return "name_" + std::to_string(rng.next_u64() % 5);
         case FieldKind::names: return std::vector<std::string>{"a", "b"};
         case FieldKind::text:

@@ -60,15 +60,14 @@ struct Arc {
             if (from <= 90 * quarter && 90 * quarter <= to) box = box.including(point_at(90 * quarter, radius));
         return box.grown(0.5 * thickness);
     }
-    /// Empty where the wall overlaps itself.
     void outline(Outline& out) const {
-        if (!is_plain()) return;
         const double half = 0.5 * thickness, outer = radius + half, inner = radius - half;
         if (is_ring()) {
             out.push_back(Piece::circle({0, 0}, outer));
-            out.push_back(Piece::circle({0, 0}, inner, -1));
+            if (inner > 0) out.push_back(Piece::circle({0, 0}, inner, -1));
             return;
         }
+        if (!is_plain()) return outline_of_overlap(out);
         const bool reflex = to - from > 180;
         const Vec2 a = point_at(from, radius), b = point_at(to, radius);
         const Vec2 outer_a = point_at(from, outer), outer_b = point_at(to, outer);
@@ -77,6 +76,25 @@ struct Arc {
         out.push_back(Piece::arc(b, half, outer_b, inner_b, 1, false));
         if (from < to) out.push_back(Piece::arc({0, 0}, inner, inner_b, inner_a, -1, reflex));
         out.push_back(Piece::arc(a, half, inner_a, outer_a, 1, false));
+    }
+
+    /// Where the two round ends overlap, their circles cross on the arc's axis: once on the outside and, where the wall leaves its centre
+    /// free, once on the hole within.
+    void outline_of_overlap(Outline& out) const {
+        const double half = 0.5 * thickness, outer = radius + half, inner = radius - half;
+        const double aside = radius * half_sine, reach = std::sqrt(max(half * half - aside * aside, 0.0));
+        const auto on_axis = [&](double place) { return Vec2(place * middle_cosine, place * middle_sine); };
+        const Vec2 a = point_at(from, radius), b = point_at(to, radius);
+        const Vec2 outer_a = point_at(from, outer), outer_b = point_at(to, outer), corner = on_axis(radius * half_cosine - reach);
+        const bool reflex = to - from > 180;
+        if (from < to) out.push_back(Piece::arc({0, 0}, outer, outer_a, outer_b, 1, reflex));
+        out.push_back(Piece::arc(b, half, outer_b, corner, 1, false));
+        out.push_back(Piece::arc(a, half, corner, outer_a, 1, false));
+        if (!(inner > 0)) return;
+        const Vec2 inner_a = point_at(from, inner), inner_b = point_at(to, inner), nook = on_axis(radius * half_cosine + reach);
+        out.push_back(Piece::arc({0, 0}, inner, inner_b, inner_a, -1, reflex));
+        out.push_back(Piece::arc(a, half, inner_a, nook, 1, false));
+        out.push_back(Piece::arc(b, half, nook, inner_b, 1, false));
     }
 
     static constexpr auto describe() {

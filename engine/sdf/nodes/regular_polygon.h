@@ -15,24 +15,22 @@ struct RegularPolygon {
     int sides = 6;
     double radius = 0.04;
     double turn_cosine = 1, turn_sine = 0;      // from one corner to the next
-    double middle_x = 0, middle_y = 0;  // of the first side
 
     static constexpr bool convex = true;
     static constexpr auto derived() {
         using T = RegularPolygon;
-        return std::tuple(&T::turn_cosine, &T::turn_sine, &T::middle_x, &T::middle_y);
+        return std::tuple(&T::turn_cosine, &T::turn_sine);
     }
     void derive() {
-        const SineCosine turn = sine_cosine_degrees(360.0 / sides), half = sine_cosine_degrees(180.0 / sides);
+        const SineCosine turn = sine_cosine_degrees(360.0 / sides);
         turn_cosine = turn.cosine;
         turn_sine = turn.sine;
-        middle_x = radius * half.cosine * half.cosine;
-        middle_y = radius * half.cosine * half.sine;
     }
 
+    /// The whole first side, though the fold leaves half of it: its middle is then no end, about which the side would be a matter of rounding.
     Real distance(const Point<Real>& p) const {
         const Point<Real> q = folded_into_sector(p, sides, turn_cosine, turn_sine);
-        return signed_distance_to_edge(q, {radius, 0}, {middle_x, middle_y});
+        return signed_distance_to_edge(q, {radius, 0}, {radius * turn_cosine, radius * turn_sine});
     }
     Vec2 corner(int i) const {
         const SineCosine t = sine_cosine_degrees(360.0 * i / sides);

@@ -36,8 +36,8 @@ struct SmoothUnion {
                                           .doc = "How much the filling adds where two outlines coincide."}),
                                    field("family", &T::family, {.doc = "Profile of the filling."}),
                                    field("steps", &T::steps,
-                                         {.min = from(1), .max = to(64), .step = 1,
-                                          .doc = "How many, of the family stairs; the others have none."})));
+                                         {.min = from(1), .max = to(64), .step = 1, .only_with = {"family", "stairs"},
+                                          .doc = "How many stairs."})));
     }
 };
 

@@ -7,7 +7,7 @@
 namespace pinfield::conformance {
 namespace {
 
-/// A quadtree down to the leaves that the line crosses, chords across these (Lorensen and Cline, "Marching cubes", 1987, in the
+/// A quadtree down to the leaves that the line crosses, and further where a needle passes between a leaf's corners, chords across these (Lorensen and Cline, "Marching cubes", 1987, in the
 /// plane), and each chord halved until its middle lies on the line: at a corner, where no chord fits, down to the tolerance.
 class Tracer {
 public:
@@ -18,15 +18,28 @@ public:
         const Vec2 centre = lo + Vec2(0.5 * size, 0.5 * size);
         // Half as much again as the claim allows, for the claim is under test.
         if (std::fabs(field_(centre)) > 1.5 * options_.lipschitz * half_diagonal) return;
-        if (size <= options_.leaf) return leaf(lo, size);
-        const double half = 0.5 * size;
-        for (const Vec2& corner : {Vec2(0, 0), Vec2(half, 0), Vec2(0, half), Vec2(half, half)}) cell(lo + corner, half);
+        if (size <= options_.leaf) leaf(lo, size);
+        else quarter(lo, size);
     }
 
     sdf::Outline chords;
 
 private:
     bool solid(const Vec2& p) const { return field_(p) < 0; }
+
+    void quarter(const Vec2& lo, double size) {
+        const double half = 0.5 * size;
+        for (const Vec2& corner : {Vec2(0, 0), Vec2(half, 0), Vec2(0, half), Vec2(half, half)}) cell(lo + corner, half);
+    }
+
+    /// Does the way down the field from the cell's centre end on the line within the cell? Then the line is there, whatever its corners say.
+    bool holds_a_foot(const Vec2& lo, double size) const {
+        const Vec2 centre = lo + Vec2(0.5 * size, 0.5 * size), x(1e-3 * size, 0), y(0, 1e-3 * size);
+        const Vec2 slope = Vec2(field_(centre + x) - field_(centre - x), field_(centre + y) - field_(centre - y)) / (2e-3 * size);
+        if (!(slope.squaredNorm() > 0)) return false;
+        const Vec2 foot = centre - field_(centre) / slope.squaredNorm() * slope;
+        return Box2{lo, lo + Vec2(size, size)}.grown(0.1 * size).contains(foot);
+    }
 
     /// Between two points of different sign.
     Vec2 crossing(Vec2 a, Vec2 b) const {
@@ -48,6 +61,8 @@ private:
             const std::size_t next = (i + 1) % 4;
             if (is_solid[i] != is_solid[next]) crossings.push_back(crossing(corners[i], corners[next]));
         }
+        constexpr double narrowest = 1.0 / 256;  // of a leaf
+        if (crossings.empty() && size > narrowest * options_.leaf && holds_a_foot(lo, size)) return quarter(lo, size);
         if (crossings.size() == 2) return refine(crossings[0], crossings[1]);
         if (crossings.size() != 4) return;
         // A saddle: the middle belongs to one pair of opposite corners, the chords cut off the other two.

@@ -5,10 +5,13 @@
 #include "engine/core/geometry.h"
 #include "engine/sdf/outline.h"
 
-namespace pinfield {
+namespace pinfield::sdf {
+
+using pinfield::cross;  // of Eigen vectors, beside those of scalar.h
+using pinfield::dot;
 
 /// Does the direction `q` from an arc's centre lie within its sweep (ends included)?
-inline bool in_sweep(const sdf::Piece& arc, const Vec2& q) {
+inline bool in_sweep(const Piece& arc, const Vec2& q) {
     if (arc.is_full_circle()) return true;
     const Vec2 first = (arc.turn > 0 ? arc.a : arc.b) - arc.centre, last = (arc.turn > 0 ? arc.b : arc.a) - arc.centre;
     if (arc.reflex) return !(cross(last, q) > 0 && cross(q, first) > 0);
@@ -16,7 +19,7 @@ inline bool in_sweep(const sdf::Piece& arc, const Vec2& q) {
 }
 
 /// Square of the distance from p to the piece.
-inline double squared_distance_to_piece(const sdf::Piece& piece, const Vec2& p) {
+inline double squared_distance_to_piece(const Piece& piece, const Vec2& p) {
     if (piece.turn == 0) {
         const Vec2 half = 0.5 * (piece.b - piece.a), q = p - 0.5 * (piece.a + piece.b);
         const double along = dot(q, half), reach = dot(half, half);
@@ -50,7 +53,7 @@ inline PieceFoot foot_on_end(const Vec2& end, const Vec2& p, const Vec2& normal)
 }
 
 /// `normal` of an end is the direction from the end to p: the solid's other piece there may see p on its other side.
-inline PieceFoot foot_on_piece(const sdf::Piece& piece, const Vec2& p) {
+inline PieceFoot foot_on_piece(const Piece& piece, const Vec2& p) {
     if (piece.turn == 0) {
         const Vec2 half = 0.5 * (piece.b - piece.a), middle = 0.5 * (piece.a + piece.b), q = p - middle;
         const double along = dot(q, half), reach = dot(half, half), half_length = std::sqrt(reach);
@@ -72,8 +75,16 @@ inline PieceFoot foot_on_piece(const sdf::Piece& piece, const Vec2& p) {
     return foot_on_end(end, p, outward * (end - piece.centre) / piece.radius);
 }
 
+/// The same piece, walked the other way.
+inline Piece reversed(const Piece& piece) {
+    Piece out = piece;
+    std::swap(out.a, out.b);
+    out.turn = -piece.turn;
+    return out;
+}
+
 /// Smallest box around a piece.
-inline Box2 bounds_of(const sdf::Piece& piece) {
+inline Box2 bounds_of(const Piece& piece) {
     Box2 box = Box2::of(piece.a, piece.b);
     if (!piece.is_arc()) return box;
     for (const Vec2& ray : {Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)})
@@ -81,4 +92,4 @@ inline Box2 bounds_of(const sdf::Piece& piece) {
     return box;
 }
 
-}  // namespace pinfield
+}  // namespace pinfield::sdf

@@ -1,11 +1,9 @@
-#include "engine/program/meet.h"
+#include "engine/sdf/meet.h"
 
-#include "engine/program/piece_distance.h"
+#include "engine/sdf/piece_distance.h"
 
-namespace pinfield {
+namespace pinfield::sdf {
 namespace {
-
-using sdf::Piece;
 
 /// Up to two points.
 struct Points {
@@ -100,4 +98,4 @@ void meet(const Piece& a, const Piece& b, double tolerance, std::vector<Vec2>& c
     }
 }
 
-}  // namespace pinfield
+}  // namespace pinfield::sdf
