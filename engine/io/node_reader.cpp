@@ -82,6 +82,14 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
     context.report(Code::child_count, key.span, fmt::format("{} takes {}; it has {}", type.key(), wanted, count));
 }
 
+/// "-circle" and "radius:30mm" are words of their own to YAML: what was meant, or nothing.
+std::string missing_blank(std::string_view text) {
+    if (text.size() > 1 && text[0] == '-' && is_name(text.substr(1))) return fmt::format("a blank belongs after the dash: - {}", text.substr(1));
+    const std::size_t colon = text.find(':');
+    if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size() || !is_name(text.substr(0, colon))) return {};
+    return fmt::format("a blank belongs after the colon: {}: {}", text.substr(0, colon), text.substr(colon + 1));
+}
+
 /// A node that is no map of one key: says which of the usual mistakes it is.
 void report_no_node(ReadContext& context, const YamlNode& item) {
     if (item.kind == YamlKind::scalar) {
@@ -89,7 +97,7 @@ void report_no_node(ReadContext& context, const YamlNode& item) {
             return context.report(Code::wrong_shape, item.span,
                                   fmt::format("{} alone is a text, not a node", item.text),
                                   fmt::format("write {}: {{}}", item.text));
-        return context.report(Code::wrong_shape, item.span, "a node is due here, not a single value");
+        return context.report(Code::wrong_shape, item.span, "a node is due here, not a single value", missing_blank(item.text));
     }
     if (item.kind != YamlKind::map)
         return context.report(Code::wrong_shape, item.span, "a node is due here",
@@ -165,14 +173,22 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     read_children(context, scene, node, key, body.find(children_key));
 }
 
+void report_unknown_key(ReadContext& context, const Node& node, const YamlNode& key, const YamlNode& field_key) {
+    const std::string blank = missing_blank(field_key.text);
+    context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text),
+                   blank.empty() ? suggestion(field_key.text, keys_of(*node.type)) : blank);
+}
+
 }  // namespace
 
 void read_fields(ReadContext& context, Node& node, const YamlNode& key, const YamlNode& body,
                  const std::vector<std::string_view>& skipped) {
     const std::size_t errors_before = context.errors_so_far();
-    if (body.kind != YamlKind::map && !body.is_empty())
+    if (body.kind != YamlKind::map && !body.is_empty()) {
+        const std::string blank = body.kind == YamlKind::scalar ? missing_blank(body.text) : "";
         return context.report(Code::wrong_shape, body.span, fmt::format("the fields of {} are due here", key.text),
-                              fmt::format("write {}: {{...}}", key.text));
+                              blank.empty() ? fmt::format("write {}: {{...}}", key.text) : blank);
+    }
     for (std::size_t i = 0; i < body.entries() && !context.full(); ++i) {
         const YamlNode& field_key = body.key(i);
         const YamlNode& value = body.value(i).resolved();
@@ -182,8 +198,7 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
             read_field(context, node, *index, field_key, value);
         else if (std::find(skipped.begin(), skipped.end(), field_key.text) == skipped.end() &&
                  !report_unsupported(context, *node.type, field_key))
-            context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text),
-                           suggestion(field_key.text, keys_of(*node.type)));
+            report_unknown_key(context, node, key, field_key);
     }
     for (const FieldType& field : node.type->fields)
         if (field.meta.required && !body.find(field.key))
@@ -195,9 +210,11 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
 
 void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& list) {
     if (list.is_empty()) return;
-    if (list.kind != YamlKind::sequence)
-        return context.report(Code::wrong_shape, list.span, "a list of nodes is due here",
-                              "begin each node with a dash");
+    if (list.kind != YamlKind::sequence) {
+        const bool is_map = list.kind == YamlKind::map && list.entries() > 0;
+        const std::string blank = list.kind == YamlKind::scalar ? missing_blank(list.text) : is_map ? missing_blank(list.key(0).text) : "";
+        return context.report(Code::wrong_shape, list.span, "a list of nodes is due here", blank.empty() ? "begin each node with a dash" : blank);
+    }
     std::size_t left = context.limits.nodes;
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
         return context.report(Code::too_many_nodes, beyond->span,

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <istream>
 #include <map>
+#include <optional>
 #include <set>
 #include <streambuf>
 
@@ -170,6 +171,7 @@ private:
             return report(Code::tab_indentation, place, "a tab in the indentation", "indent with spaces");
         if (what == YAML::ErrorMsg::END_OF_MAP_FLOW || what == YAML::ErrorMsg::END_OF_SEQ_FLOW)
             return explain_unclosed(place);
+        if (what == YAML::ErrorMsg::FLOW_END && place < text_.size()) return explain_wrong_end(place);
         if (what == YAML::ErrorMsg::MAP_VALUE)
             return report(Code::yaml_syntax, place, "a key cannot stand here",
                           "quote a text that holds a colon and a blank, and align the keys of a map");
@@ -200,15 +202,26 @@ private:
         return {};
     }
 
+    /// Where the innermost open [ or { stands.
+    std::optional<std::size_t> innermost_flow() const {
+        for (auto it = open_.rbegin(); it != open_.rend(); ++it)
+            if (it->node->style == YamlStyle::flow) return it->node->span.begin;
+        return {};
+    }
+
+    void explain_wrong_end(std::size_t place) {
+        if (const auto begin = innermost_flow())
+            return report(Code::yaml_syntax, *begin, fmt::format("this {} is not closed: a {} comes first", text_[*begin], text_[place]));
+        report(Code::yaml_syntax, place, fmt::format("this {} closes nothing", text_[place]));
+    }
+
     void explain_unclosed(std::size_t place) {
         if (const Span span = value_with_colon(text_, place); span.begin < span.end) {
             const std::string_view value = text_.substr(span.begin, std::min<std::size_t>(span.end - span.begin, 60));
             return report(Code::yaml_syntax, span.begin, fmt::format("a second colon in one entry: {}", value),
                           fmt::format("quote a text that holds a colon and a blank: \"{}\"", value));
         }
-        std::size_t begin = place;
-        for (auto it = open_.rbegin(); it != open_.rend() && begin == place; ++it)
-            if (it->node->style == YamlStyle::flow) begin = it->node->span.begin;
+        const std::size_t begin = innermost_flow().value_or(place);
         if (const auto color = color_in_comment(text_, begin, text_.size()))
             return report(Code::comment_ate_value, *color, "this # begins a comment that swallows the rest of the line",
                           "quote the colour: \"#7c5\"");

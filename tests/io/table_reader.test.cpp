@@ -163,3 +163,38 @@ TEST_CASE("a type that only this program knows reads like the built-in ones") {
     REQUIRE(result.ok());
     CHECK(result.scene.find("blob[0]")->get<double>("radius") == 0.03);
 }
+
+TEST_CASE("a blank left out after a dash or a colon is told of as that") {
+    const auto hint_of = [](const std::string& scene) {
+        const ReadResult result = read("pinfield: 1\nscene:\n" + scene);
+        REQUIRE(result.diagnostics.size() == 1);
+        return result.diagnostics[0].hint;
+    };
+    CHECK(hint_of("  -circle: {radius: 30mm}\n") == "a blank belongs after the dash: - circle");
+    CHECK(hint_of("  - circle: {radius:30mm}\n") == "a blank belongs after the colon: radius: 30mm");
+    CHECK(hint_of("  - circle:\n      radius:30mm\n") == "a blank belongs after the colon: radius: 30mm");
+    CHECK(hint_of("  - circle:30mm\n") == "a blank belongs after the colon: circle: 30mm");
+}
+
+TEST_CASE("a list of words is read from a list or from a word alone, and each word must be one of them") {
+    const auto pieces_of = [](const std::string& written) {
+        const ReadResult result = read("pinfield: 1\nscene:\n  - path: {points: [[0, 0], [1cm, 0], [1cm, 1cm]], pieces: " + written + "}\n");
+        REQUIRE(result.ok());
+        return result.scene.find("path[0]")->get<std::vector<std::string>>("pieces");
+    };
+    CHECK(pieces_of("line") == std::vector<std::string>{"line"});
+    CHECK(pieces_of("[line, line, arc]") == std::vector<std::string>{"line", "line", "arc"});
+    const ReadResult wrong = read("pinfield: 1\nscene:\n  - path: {points: [[0, 0], [1cm, 0]], pieces: [line, lime]}\n");
+    REQUIRE(wrong.diagnostics.size() == 1);
+    CHECK(wrong.diagnostics[0].code == "E0214");
+    CHECK(wrong.diagnostics[0].hint == "did you mean line?");
+    CHECK(wrong.source->slice(wrong.diagnostics[0].where) == "lime");
+}
+
+TEST_CASE("a field that does nothing beside the others is a warning") {
+    const ReadResult result = read("pinfield: 1\nscene:\n  - smooth_union: {steps: 3, children: [circle: {}, box: {}]}\n");
+    REQUIRE(result.ok());
+    REQUIRE(result.diagnostics.size() == 1);
+    CHECK(result.diagnostics[0].code == "W0504");
+    CHECK(read("pinfield: 1\nscene:\n  - smooth_union: {steps: 3, family: stairs, children: [circle: {}, box: {}]}\n").diagnostics.empty());
+}

@@ -85,6 +85,14 @@ TEST_CASE("a second colon in an entry of flow style is told as that, and quoted"
     CHECK(Read("a: {b: c").tree.diagnostics[0].message == "this { is never closed");
 }
 
+TEST_CASE("a bracket closed by another is told of where it stands") {
+    const Read read("a: {b: [1, c: [2, 3]}\n");
+    REQUIRE(read.tree.diagnostics.size() == 1);
+    CHECK(read.tree.diagnostics[0].message == "this [ is not closed: a } comes first");
+    CHECK(read.tree.diagnostics[0].where.begin == 7);
+    CHECK(Read("a: ]\n").tree.diagnostics[0].message == "this ] closes nothing");
+}
+
 TEST_CASE("a null key and the words for null are told from a missing value") {
     CHECK(Read("a:\nnull: 3\n").code() == "E0121");
     CHECK(Read("a: null\n").at("a").text == "null");
