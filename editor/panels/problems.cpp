@@ -41,8 +41,12 @@ void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem,
     const std::string where = std::to_string(at.line) + ":" + std::to_string(at.column) + "   " + problem.code;
     const float where_width = ImGui::CalcTextSize(where.c_str()).x;
     list.AddText({place.x + width - where_width - theme.px(10), y}, ink(palette::quiet), where.c_str());
-    const std::string message = fitted(problem.message, width - where_width - theme.px(60));
-    list.AddText({place.x + theme.px(30), y}, ink(palette::text), message.c_str());
+    const float left = place.x + theme.px(30), right = place.x + width - where_width - theme.px(30);
+    const std::string message = fitted(problem.message, right - left);
+    list.AddText({left, y}, ink(palette::text), message.c_str());
+    const float after = left + ImGui::CalcTextSize(message.c_str()).x + theme.px(14);
+    if (!problem.hint.empty() && message == problem.message && right - after > theme.px(60))
+        list.AddText({after, y}, ink(palette::quiet), fitted(problem.hint, right - after).c_str());
     if (hot) {
         const std::string_view line = source.line(at.line);
         std::string text = problem.message + "\n" + std::string(line.substr(0, 200));

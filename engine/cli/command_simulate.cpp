@@ -112,7 +112,7 @@ JsonObject json_of(const SimulationSummary& summary, const std::string& table) {
 }
 
 std::string text_of(const SimulationSummary& summary, const std::string& table, double step) {
-    std::string text = fmt::format("{}: {} balls, {} ticks ({:g} s) in {:.3f} s: {:.3g} ball-steps/s\n", table, summary.balls, summary.ticks,
+    std::string text = fmt::format("{}: {} {}, {} ticks ({:g} s) in {:.3f} s: {:.3g} ball-steps/s\n", table, summary.balls, summary.balls == 1 ? "ball" : "balls", summary.ticks,
                                    static_cast<double>(summary.ticks) * step, summary.wall_seconds, summary.ball_steps_per_second);
     text += fmt::format("  escaped         {}\n  drained         {}\n  max penetration {:.3g} m\n", summary.escaped, summary.drained,
                         summary.max_penetration);
@@ -172,7 +172,7 @@ void add_simulate(CLI::App& app, Exit& exit) {
                  "Set every restitution, and falloff, friction, scatter and kicks to 0");
     command->add_option("--integrator", options->integrator, "In place of the table's: symplectic_euler or ballistic")
         ->check(CLI::IsMember({"symplectic_euler", "ballistic"}));
-    add_quantity(*command, "--step", options->step, Unit::second, above(0), to(0.1), "Length of a tick in place of the table's");
+    add_quantity(*command, "--step", options->step, Unit::second, from(1e-6), to(0.1), "Length of a tick in place of the table's");
     command->add_flag("--audit", options->audit, "Check every stretch of path densely against the true distance");
     command->add_option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV");
     command->add_option("--events", options->events, "Write what happens as JSON lines");

@@ -44,7 +44,7 @@ struct PhysicsSettings {
         using P = PhysicsSettings;
         return record<P>(
             {.key = "physics", .doc = "How the table is simulated."},
-            fields(field("step", &P::step, {.unit = Unit::second, .min = above(0), .max = to(0.1), .step = 0.0001, .doc = "Length of a tick."}),
+            fields(field("step", &P::step, {.unit = Unit::second, .min = from(1e-6), .max = to(0.1), .step = 0.0001, .doc = "Length of a tick."}),
                    field("integrator", &P::integrator, {.doc = "symplectic_euler: straight within a tick. ballistic: exact parabolas."}),
                    field("contact", &P::contact, {.doc = "Contact model."}),
                    field("ball_radius", &P::ball_radius, {.unit = Unit::metre, .min = above(0), .max = to(1), .step = 0.0005, .doc = "Radius of the balls."}),
