@@ -14,7 +14,7 @@ using sdf::Piece;
 class Arrangement {
 public:
     Arrangement(const Field& field, int root, const FoundLeaves& found)
-        : field_(field), root_(root), leaves_(found.leaves), lattice_copies_(found.lattice_copies) {
+        : field_(field), leaves_(found.leaves), membership_(field, root, found.lattice_copies) {
         const std::vector<LeafImage>& leaves = found.leaves;
         double extent = 0;
         for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -60,8 +60,7 @@ private:
             left[i] = same_way;
             right[i] = !same_way;
         }
-        const bool solid_left = is_in_tree(field_, root_, lattice_copies_, left);
-        const bool solid_right = is_in_tree(field_, root_, lattice_copies_, right);
+        const bool solid_left = membership_.solid(left), solid_right = membership_.solid(right);
         if (solid_left != solid_right) out.push_back({solid_left ? part : reversed(part), edge.origin});
     }
 
@@ -80,9 +79,8 @@ private:
     }
 
     const Field& field_;
-    int root_;
     const std::vector<LeafImage>& leaves_;
-    const std::vector<int>& lattice_copies_;
+    Membership membership_;
     std::vector<Edge> edges_;
     double tolerance_ = 0;
 };
@@ -93,8 +91,8 @@ std::vector<OwnedPiece> boundary_of(const Field& field, int root, const FoundLea
     const std::vector<LeafImage>& leaves = found.leaves;
     if (leaves.size() > 1) return Arrangement(field, root, found).boundary();
     std::vector<OwnedPiece> out;
-    const bool in_is_solid = is_in_tree(field, root, found.lattice_copies, {1});
-    const bool out_is_solid = is_in_tree(field, root, found.lattice_copies, {0});
+    const Membership membership(field, root, found.lattice_copies);
+    const bool in_is_solid = membership.solid({1}), out_is_solid = membership.solid({0});
     if (in_is_solid == out_is_solid) return out;
     for (std::size_t k = 0; k < leaves[0].outline.size(); ++k) {
         const Piece& piece = leaves[0].outline[k];

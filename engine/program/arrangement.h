@@ -39,8 +39,26 @@ struct FoundLeaves {
 /// traced as a whole. Empty when some of that cannot be.
 FoundLeaves leaf_images(const Field& field, int root);
 
-/// Is a point in the tree's solid, given for each appearance whether it is in that one?
-bool is_in_tree(const Field& field, int root, const std::vector<int>& lattice_copies, const std::vector<char>& in_leaf);
+/// Is a point in the tree's solid, given for each appearance whether it is in that one? The tree is walked once, as leaf_images() does, for
+/// any number of questions; the field must stay as it is.
+class Membership {
+public:
+    Membership(const Field& field, int root, const std::vector<int>& lattice_copies);
+    bool solid(const std::vector<char>& in_leaf) const;
+
+private:
+    /// What is done with the values before: -1 inside, 1 outside.
+    struct Step {
+        enum What : unsigned char { leaf, negate, unite, fold } what;
+        int count = 0;  ///< of values that are united or folded
+        const sdf::Kernels* kernels = nullptr;
+        const double* params = nullptr;
+    };
+    void append(int op, const std::vector<int>& lattice_copies, std::size_t& next_lattice);
+
+    const Field& field_;
+    std::vector<Step> steps_;
+};
 
 struct FoundBoundary {
     std::vector<OwnedPiece> pieces;

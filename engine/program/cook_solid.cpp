@@ -88,10 +88,7 @@ int Emitter::by_its_boundary(int child) {
     if (found.pieces.empty() || found.horizon < infinity) return child;
     sdf::Outline outline;
     for (const OwnedPiece& owned : found.pieces) outline.push_back(owned.piece);
-    const int count = static_cast<int>(outline.size());
-    std::vector<double> block(static_cast<std::size_t>(sdf::packed_outline_size(count)));
-    sdf::pack_outline(outline, count, block.data());
-    const int boundary = emit(sdf::boundary_kernels(), std::move(block), tree.origin, Similarity{}, {child});
+    const int boundary = emit(sdf::boundary_kernels(), sdf::packed_boundary(outline), tree.origin, Similarity{}, {child});
     field_.ops[static_cast<std::size_t>(boundary)].bounds = tree.bounds.is_finite() ? sdf::bounds_of(outline) : tree.bounds;
     return boundary;
 }

@@ -21,10 +21,7 @@ bool is_exact(const Exactness& e) { return e.outside == Side::exact && e.inside 
 OutlineBlock packed_boundary(const Field& field, const Solid& solid) {
     sdf::Outline outline;
     for (int i = 0; i < solid.piece_count; ++i) outline.push_back(field.pieces[static_cast<std::size_t>(solid.first_piece + i)].piece);
-    OutlineBlock out(static_cast<std::size_t>(sdf::packed_outline_size(solid.piece_count)));
-    sdf::pack_outline(outline, solid.piece_count, out.data());
-    out.resize(static_cast<std::size_t>(sdf::packed_head_size) + static_cast<std::size_t>(out[0]) * sdf::packed_piece_size);
-    return out;
+    return sdf::packed_boundary(outline);
 }
 
 /// To a packed piece, both its ends included: unlike outline_distance.h, which leaves an end to the piece that starts there.
@@ -71,7 +68,7 @@ void keep_near(const OutlineBlock& outline, const Vec2& centre, double reach, Ou
     for (std::size_t i = 0; i < count; ++i) away[i] = distance_to(piece(i), centre);
     const double enough = *std::min_element(away.begin(), away.end()) + 2 * reach;
     out.assign(outline.begin(), outline.begin() + packed_head_size);
-    out[0] = 0;
+    out[0] = out[2] = 0;
     for (std::size_t i = 0; i < count; ++i) {
         if (away[i] > enough) continue;
         out.insert(out.end(), piece(i), piece(i) + packed_piece_size);

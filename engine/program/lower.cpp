@@ -156,38 +156,6 @@ bool LeafCollector::collect(int index, const Similarity& chain) {
     return true;
 }
 
-/// Walks the tree as LeafCollector does; a field of -1 stands for inside and 1 for outside.
-class Membership {
-public:
-    Membership(const Field& field, const std::vector<int>& lattice_copies, const std::vector<char>& in_leaf)
-        : field_(field), lattice_copies_(lattice_copies), in_leaf_(in_leaf) {}
-
-    double of(int index) {
-        const Op& op = field_.ops[static_cast<std::size_t>(index)];
-        const double* params = field_.params.data() + op.params;
-        if (op.kernels->lattice) return united(child_in_cells(field_, op), lattice_copies_[next_lattice_++]);
-        if (is_boundary(op)) return of(child_of(field_, op, 0));
-        if (op.kernels->form == Form::shape || !is_boolean(*op.kernels, params)) return in_leaf_[next_leaf_++] ? -1.0 : 1.0;
-        if (op.kernels->form == Form::images) return united(child_of(field_, op, 0), op.image_count);
-        if (op.kernels->form == Form::modify) return op.kernels->affine(params).sign * of(child_of(field_, op, 0));
-        double value = of(child_of(field_, op, 0));
-        for (int i = 1; i < op.child_count; ++i) value = op.kernels->combine(params, value, of(child_of(field_, op, i)));
-        return value;
-    }
-
-private:
-    double united(int child, int copies) {
-        double value = 1;
-        for (int i = 0; i < copies; ++i) value = std::min(value, of(child));
-        return value;
-    }
-
-    const Field& field_;
-    const std::vector<int>& lattice_copies_;
-    const std::vector<char>& in_leaf_;
-    std::size_t next_leaf_ = 0, next_lattice_ = 0;
-};
-
 /// Does a piece begin wherever one ends, and end wherever one begins? A boundary with a gap would let balls in: worse than none.
 bool is_closed(const std::vector<OwnedPiece>& pieces, double tolerance) {
     const auto by_x = [](const Vec2& p, const Vec2& q) { return p.x() < q.x(); };
@@ -236,8 +204,48 @@ FoundLeaves leaf_images(const Field& field, int root) {
     return {std::move(collector.leaves), std::move(collector.lattice_copies), horizon};
 }
 
-bool is_in_tree(const Field& field, int root, const std::vector<int>& lattice_copies, const std::vector<char>& in_leaf) {
-    return Membership(field, lattice_copies, in_leaf).of(root) < 0;
+Membership::Membership(const Field& field, int root, const std::vector<int>& lattice_copies) : field_(field) {
+    std::size_t next_lattice = 0;
+    append(root, lattice_copies, next_lattice);
+}
+
+void Membership::append(int index, const std::vector<int>& lattice_copies, std::size_t& next_lattice) {
+    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    const double* params = field_.params.data() + op.params;
+    const auto unite = [&](int child, int copies) {
+        for (int i = 0; i < copies; ++i) append(child, lattice_copies, next_lattice);
+        steps_.push_back({Step::unite, copies});
+    };
+    if (op.kernels->lattice) return unite(child_in_cells(field_, op), lattice_copies[next_lattice++]);
+    if (is_boundary(op)) return append(child_of(field_, op, 0), lattice_copies, next_lattice);
+    if (op.kernels->form == Form::shape || !is_boolean(*op.kernels, params)) return steps_.push_back({Step::leaf});
+    if (op.kernels->form == Form::images) return unite(child_of(field_, op, 0), op.image_count);
+    for (int i = 0; i < op.child_count; ++i) append(child_of(field_, op, i), lattice_copies, next_lattice);
+    if (op.kernels->form == Form::fold) steps_.push_back({Step::fold, op.child_count, op.kernels, params});
+    else if (op.kernels->affine(params).sign < 0) steps_.push_back({Step::negate});
+}
+
+bool Membership::solid(const std::vector<char>& in_leaf) const {
+    std::vector<double> values;
+    values.reserve(in_leaf.size());
+    std::size_t next_leaf = 0;
+    for (const Step& step : steps_) {
+        if (step.what == Step::leaf) {
+            values.push_back(in_leaf[next_leaf++] ? -1.0 : 1.0);
+            continue;
+        }
+        if (step.what == Step::negate) {
+            values.back() = -values.back();
+            continue;
+        }
+        const std::size_t first = values.size() - static_cast<std::size_t>(step.count);
+        double value = step.count > 0 ? values[first] : 1;
+        for (std::size_t i = first + 1; i < values.size(); ++i)
+            value = step.what == Step::unite ? std::min(value, values[i]) : step.kernels->combine(step.params, value, values[i]);
+        values.resize(first);
+        values.push_back(value);
+    }
+    return values.back() < 0;
 }
 
 FoundBoundary boundary_below(const Field& field, int root) {

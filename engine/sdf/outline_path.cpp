@@ -117,12 +117,30 @@ void pack_outline(const Outline& outline, int most_pieces, double* out) {
     *out++ = static_cast<double>(pieces.size());
     const double size = pieces.empty() ? 0 : std::max(box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff());
     *out++ = size;
+    *out++ = 0;  // no boxes
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const PackedPiece c = packed(pieces, i, 1e-11 * size);
         for (const double v : {c.ax, c.ay, c.start_x, c.start_y, c.bx, c.by, c.end_x, c.end_y, c.apex_x, c.apex_y, c.normal_x, c.normal_y,
                                c.curvature, c.corner_x, c.corner_y})
             *out++ = v;
     }
+}
+
+std::vector<double> packed_boundary(const Outline& outline) {
+    const int most_pieces = static_cast<int>(outline.size());
+    std::vector<double> out(static_cast<std::size_t>(packed_outline_size(most_pieces)));
+    pack_outline(outline, most_pieces, out.data());
+    const Outline pieces = without_reflex(outline);  // as they were packed
+    constexpr std::size_t group = pieces_in_a_box;
+    out.resize(static_cast<std::size_t>(packed_head_size) + pieces.size() * packed_piece_size);
+    if (pieces.size() <= 2 * group) return out;
+    out[2] = static_cast<double>(out.size());
+    for (std::size_t first = 0; first < pieces.size(); first += group) {
+        Box2 box;
+        for (std::size_t i = first; i < std::min(first + group, pieces.size()); ++i) box = box.merged(bounds_of(pieces[i]));
+        out.insert(out.end(), {box.lo.x(), box.lo.y(), box.hi.x(), box.hi.y()});
+    }
+    return out;
 }
 
 }  // namespace pinfield::sdf

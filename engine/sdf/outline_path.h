@@ -1,5 +1,7 @@
 // For shapes that are written as their outline: the pen that draws it, and the packing for outline_distance.h.
 #pragma once
+#include <vector>
+
 #include "engine/sdf/outline.h"
 #include "engine/sdf/outline_distance.h"
 
@@ -41,5 +43,7 @@ Box2 bounds_of(const Outline& outline);
 constexpr int packed_outline_size(int pieces) { return packed_head_size + 2 * packed_piece_size * pieces; }
 /// Writes the head and then every piece (PackedPiece, in order) to `out`, which holds packed_outline_size(most_pieces) reals.
 void pack_outline(const Outline& outline, int most_pieces, double* out);
+/// The block of an outline of any length, for boundary.h: with boxes where it is long.
+std::vector<double> packed_boundary(const Outline& outline);
 
 }  // namespace pinfield::sdf

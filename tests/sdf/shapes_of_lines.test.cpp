@@ -385,4 +385,32 @@ TEST_CASE("what is too short to have a direction in doubles is left out: roundin
     CHECK(arrow.outline.size() == 5);  // two sides, and the base in the three parts that ledges and tail are of
 }
 
+TEST_CASE("a long boundary is searched by its boxes with the bits of a search through every piece") {
+    CounterRng rng(41);
+    Outline gear;  // of arcs and lines in turn, touching themselves nowhere, some of no more than a hair's length
+    OutlinePen pen(gear, {0.1, 0});
+    constexpr int teeth = 300;
+    for (int i = 1; i <= teeth; ++i) {
+        const SineCosine turn = sine_cosine(two_pi * i / teeth);
+        const Vec2 to = (i == teeth ? 0.1 : rng.in(0.05, 0.1)) * Vec2(turn.cosine, turn.sine);
+        if (i % 2 == 0) pen.line_to(to);
+        else pen.arc_to(to, 0.5 * (to + (gear.empty() ? Vec2(0.1, 0) : gear.back().b)), i % 4 == 1 ? 1 : -1);
+    }
+    const int count = static_cast<int>(gear.size());
+    std::vector<double> plain(static_cast<std::size_t>(packed_outline_size(count)));
+    pack_outline(gear, count, plain.data());
+    const std::vector<double> boxed = packed_boundary(gear);
+    REQUIRE(boxed[2] > 0);
+    std::vector<Vec2> points = points_within(0.15, 4000);
+    for (const Piece& piece : gear) points.insert(points.end(), {piece.a, 0.5 * (piece.a + piece.b)});
+    int different = 0;
+    for (const Vec2& p : points) {
+        const Point<Dual> at{Dual(p.x(), 1, 0), Dual(p.y(), 0, 1)};
+        const Dual one = distance_to_outline(at, plain.data()), other = distance_to_outline(at, boxed.data());
+        different += one.v != other.v || one.dx != other.dx || one.dy != other.dy;
+        different += distance_to_outline(Point<double>{p.x(), p.y()}, boxed.data()) != one.v;
+    }
+    CHECK(different == 0);
+}
+
 }  // namespace pinfield::sdf
