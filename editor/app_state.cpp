@@ -230,6 +230,8 @@ void look_at_disk(AppState& state) {
         say(state, fmt::format("{} was changed outside and cannot be read; the last good table runs on", name_of(state.document)), true);
     } else if (state.disk == DiskState::conflict && before != DiskState::conflict) {
         say(state, fmt::format("{} was changed outside too: Reload takes that, Save As keeps yours", name_of(state.document)), true);
+    } else if (state.disk == DiskState::missing && before != DiskState::missing) {
+        say(state, fmt::format("{} is gone from the disk: Save writes it again", name_of(state.document)), true);
     }
 }
 

@@ -42,7 +42,7 @@ Result<Document> Document::open(const std::string& path, std::shared_ptr<const C
     return document;
 }
 
-bool Document::dirty() const { return source_->text() != disk_text_; }
+bool Document::dirty() const { return is_missing() || source_->text() != disk_text_; }
 
 std::shared_ptr<const SourceText> Document::named(std::string text) const {
     return std::make_shared<const SourceText>(path_.empty() ? "untitled" : path_, std::move(text));
@@ -159,8 +159,10 @@ const std::string* Document::redo_label() const { return can_redo() ? &history_[
 
 Result<void> Document::save() {
     if (path_.empty()) return failure("the table has no file yet");
-    if (const Result<bool> saved = save_file(path_, source_->text(), disk_text_); !saved) return tl::unexpected(saved.error());
+    const std::optional<std::string> expected = is_missing() ? std::nullopt : std::optional(disk_text_);
+    if (const Result<bool> saved = save_file(path_, source_->text(), expected); !saved) return tl::unexpected(saved.error());
     disk_text_ = source_->text();
+    looks_in_vain_ = 0;
     broken_.reset();
     return {};
 }
@@ -171,6 +173,7 @@ Result<void> Document::save_as(const std::string& path) {
     if (const Result<bool> saved = save_file(path, source_->text(), there); !saved) return tl::unexpected(saved.error());
     path_ = path;
     disk_text_ = source_->text();
+    looks_in_vain_ = 0;
     source_ = named(disk_text_);
     broken_.reset();
     return {};
@@ -180,7 +183,11 @@ DiskState Document::check_disk() {
     // A drag in progress goes first: it ends in a text, which is then compared.
     if (path_.empty() || previewing()) return DiskState::same;
     Result<std::string> text = read_file(path_);
-    if (!text) return DiskState::same;  // editors that replace a file take it away for a moment
+    if (!text) {  // programs that replace a file take it away for a moment
+        ++looks_in_vain_;
+        return is_missing() ? DiskState::missing : DiskState::same;
+    }
+    looks_in_vain_ = 0;
     if (*text == disk_text_) {
         broken_.reset();
         return DiskState::same;

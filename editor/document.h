@@ -21,7 +21,7 @@ struct SceneChange {
 };
 
 /// What became of the file on disk.
-enum class DiskState : unsigned char { same, reloaded, broken, conflict };
+enum class DiskState : unsigned char { same, reloaded, broken, conflict, missing };
 
 class Document {
 public:
@@ -36,7 +36,7 @@ public:
     const Diagnostics& diagnostics() const { return broken_ ? broken_diagnostics_ : diagnostics_; }
     const SourceText& diagnosed() const { return broken_ ? *broken_ : *source_; }
     const std::string& path() const { return path_; }  ///< empty: never saved
-    bool dirty() const;                                ///< the text differs from the disk's as last seen
+    bool dirty() const;                                ///< the text differs from the disk's as last seen, or its file is gone
 
     /// Shows an edit without writing it: the scene changes, the text does not (a drag in progress). Several previews of one
     /// field replace each other; several fields may be previewed together. Why not, or nothing.
@@ -64,7 +64,8 @@ public:
     /// Atomic; overwrites what is there: who names a path has been asked.
     Result<void> save_as(const std::string& path);
     /// Looks at the disk: a clean document follows it (broken text keeps the last good scene and shows its problems);
-    /// a dirty one whose file changed outside reports a conflict and changes nothing.
+    /// a dirty one whose file changed outside reports a conflict and changes nothing. A file that two looks in a row do not find is missing:
+    /// the document is all that is left of it.
     DiskState check_disk();
     /// Takes the disk's text in place of the document's, whatever was edited; undo brings it back. Fails on a broken text.
     Result<void> reload();
@@ -82,6 +83,7 @@ private:
     };
 
     Document() = default;
+    bool is_missing() const { return looks_in_vain_ >= 2; }
     std::shared_ptr<const SourceText> named(std::string text) const;
     void take_text(std::shared_ptr<const SourceText> source, const Scene* ids_from);
     void replay(const std::vector<Edit>& edits, std::shared_ptr<const SourceText> source, const Scene* replaced_by);
@@ -97,6 +99,7 @@ private:
     Diagnostics broken_diagnostics_;
     std::string path_;
     std::string disk_text_;
+    int looks_in_vain_ = 0;  ///< at a file that is not there
     std::vector<Step> history_;
     std::size_t position_ = 0;
     std::vector<Edit> preview_;

@@ -99,8 +99,10 @@ void field_rows(AppState& state, Ui& ui, const Node& node, bool common) {
 void contracts(const Theme& theme, const NodeType& type) {
     if (type.contracts.empty()) return;
     ImGui::Dummy({0, theme.px(2)});
+    ImGui::PushTextWrapPos(0);
     for (const ContractType& contract : type.contracts)
         text_in(theme.small, palette::quiet, "Must hold: " + std::string(contract.sentence));
+    ImGui::PopTextWrapPos();
 }
 
 void nothing_selected(const Theme& theme) {

@@ -130,6 +130,7 @@ std::string text_of(const SimulationSummary& summary, const std::string& table, 
 void run(const Options& options) {
     for (const std::string& output : {options.trace, options.events})
         refuse_overwriting(output, {options.file, options.inputs});
+    refuse_sharing(options.trace, options.events);
     const Table table = open_table(options.file);
     World world = world_of(table, options);
     Recorder recorder(table.scene, options.trace, options.events);

@@ -49,6 +49,15 @@ void refuse_overwriting(const std::string& output, const std::vector<std::string
     }
 }
 
+void refuse_sharing(const std::string& output, const std::string& other) {
+    if (output.empty() || other.empty()) return;
+    std::error_code error;
+    if (std::filesystem::exists(output, error) && !std::filesystem::is_regular_file(output, error)) return;  // /dev/null holds all there is
+    const auto place = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, error); };
+    if (output == other || place(output) == place(other))
+        throw Stop{Exit::usage, fmt::format("{} cannot hold two outputs at once", output)};
+}
+
 void print(std::string_view text) {
     Output out("-");
     out.write(text);

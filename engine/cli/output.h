@@ -32,6 +32,9 @@ private:
 /// Stops the command, before anything is written, when an output is one of the files it reads, by whatever name.
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs);
 
+/// Stops the command when both outputs are one file.
+void refuse_sharing(const std::string& output, const std::string& other);
+
 /// All of it to stdout.
 void print(std::string_view text);
 

@@ -149,6 +149,27 @@ TEST_CASE("a table broken outside keeps playing, and the message says so") {
     CHECK(state.session.program().fixed.solids.size() > 2);
 }
 
+TEST_CASE("a file that is gone for good is told of, is unsaved work, and can be saved again") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    std::filesystem::remove(folder.file("table.yaml"));
+    look_at_disk(state);
+    CHECK_FALSE(state.document.dirty());  // it may be being replaced
+    folder.write("table.yaml", pen);
+    look_at_disk(state);
+    std::filesystem::remove(folder.file("table.yaml"));
+    look_at_disk(state);
+    look_at_disk(state);
+    CHECK(state.disk == DiskState::missing);
+    CHECK(state.message_is_problem);
+    CHECK(state.document.dirty());
+    REQUIRE(state.document.save());
+    CHECK(folder.read("table.yaml") == pen);
+    CHECK_FALSE(state.document.dirty());
+    look_at_disk(state);
+    CHECK(state.disk == DiskState::same);
+}
+
 TEST_CASE("a click finds the smallest solid under it, locked nodes and the domain never") {
     const Folder folder;
     const AppState state = opened_state(folder);

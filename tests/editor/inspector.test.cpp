@@ -15,7 +15,7 @@ using namespace pinfield::editor::test;
 
 namespace {
 
-const ImVec2 panel_size{340, 700};
+const ImVec2 panel_size{340, 900};  // room for every row of any node
 
 /// An inspector alone on a screen of its own size.
 class Inspector {

@@ -186,7 +186,7 @@ TEST_CASE("a star that is twisted until its tips are needles is traced to their 
 }
 
 // Twelve traced walls that cross each other anyhow: where cutting them leaves a gap, the formula is what is left to trust.
-TEST_CASE("a fitted boundary has no gap, however many traced walls cross") {
+TEST_CASE("a fitted boundary has no gap, however many traced walls cross", "[slow]") {
     for (const double turn : {-96.71, 0.0, 30.0}) {
         INFO("turned " << turn);
         const Alone alone([&](Scene& scene) {
