@@ -75,6 +75,7 @@ constexpr std::array codes{
     ErrorCode{"W0502", "unknown_keyboard_key", "no key of a keyboard has this name"},
     ErrorCode{"W0503", "offset_of_bound", "round, inset or onion of a distance that is only a bound"},
     ErrorCode{"W0504", "idle_field", "a field that does nothing beside the node's other values"},
+    ErrorCode{"W0505", "untouched_layer", "a solid on a layer that no ball is on"},
 
     ErrorCode{"E0601", "unknown_step", "no such step in an editor script"},
 };

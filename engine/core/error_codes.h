@@ -79,6 +79,7 @@ enum class Code : unsigned char {
     unknown_keyboard_key,
     offset_of_bound,
     idle_field,
+    untouched_layer,
 
     unknown_step,
 };

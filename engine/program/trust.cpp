@@ -57,6 +57,25 @@ void add_warnings(const Field& field, const Scene& scene, Diagnostics& out) {
     }
 }
 
+/// Balls start on the ground and nothing takes them elsewhere: each other layer is told of once, with the first solid on it. A domain
+/// bounds its layer and is no obstacle.
+void add_untouched_layers(const Program& program, const Scene& scene, Diagnostics& out) {
+    LayerMask told = ground_layer;
+    for_each_field(program, [&](const Field& field) {
+        for (const Solid& solid : field.solids) {
+            const Node* node = scene.find(solid.origin);
+            if (!node || solid.is_domain || (solid.layers & told)) continue;
+            told |= solid.layers;
+            std::vector<std::string> names;
+            for (std::size_t i = 0; i < program.layers.size(); ++i)
+                if (solid.layers & (LayerMask{1} << i)) names.push_back(program.layers[i]);
+            out.push_back(diagnose(Code::untouched_layer, node->key,
+                                   fmt::format("no ball is ever on layer {}: nothing touches this {}", fmt::join(names, ", "), node->type->key()),
+                                   fmt::format("balls are on layer {}, where nodes are that name none", program.layers[0])));
+        }
+    });
+}
+
 }  // namespace
 
 std::map<NodeId, Trust> trusts_of(const Program& program) {
@@ -80,6 +99,7 @@ std::optional<Trust> trust_of(const Program& program, NodeId wanted) {
 Diagnostics warnings_of(const Program& program, const Scene& scene) {
     Diagnostics out;
     for_each_field(program, [&](const Field& field) { add_warnings(field, scene, out); });
+    add_untouched_layers(program, scene, out);
     return out;
 }
 

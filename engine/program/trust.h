@@ -25,7 +25,7 @@ std::map<NodeId, Trust> trusts_of(const Program& program);
 std::optional<Trust> trust_of(const Program& program, NodeId node);
 
 /// What is doubtful about a program that runs, placed in the text of the scene it was compiled from: offsets (round, inset, onion) of a
-/// side that is only a bound and whose boundary could not be found.
+/// side that is only a bound and whose boundary could not be found, and solids on layers that no ball is on.
 Diagnostics warnings_of(const Program& program, const Scene& scene);
 
 }  // namespace pinfield

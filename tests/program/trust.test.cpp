@@ -112,3 +112,23 @@ TEST_CASE("an offset of a bound whose boundary cannot be found is a warning; of 
     add(scene, "box", cut, {{"turn", 30.0}});
     CHECK(warnings_of(*compiled(scene), scene).empty());
 }
+
+TEST_CASE("a layer that no ball is on is a warning, once, at the first solid there") {
+    Scene scene(catalogue());
+    add(scene, "circle");
+    const std::vector<std::string> both{"ramp", "ground"}, ramp{"ramp"}, attic{"attic"};
+    add(scene, "circle", {}, {{"layer", both}});
+    CHECK(warnings_of(*compiled(scene), scene).empty());
+    const NodeId group = add(scene, "group", {}, {{"layer", ramp}});
+    const NodeId first = add(scene, "box", group);
+    add(scene, "bumper", group);
+    scene.find(first)->key = {3, 6};
+    const NodeId above = add(scene, "flipper", {}, {{"layer", attic}});
+    scene.find(above)->key = {9, 16};
+    const Diagnostics found = warnings_of(*compiled(scene), scene);
+    REQUIRE(found.size() == 2);
+    CHECK(found[0].code == "W0505");
+    CHECK(found[0].where == Span{3, 6});
+    CHECK_THAT(found[0].message, Catch::Contains("layer ramp") && Catch::Contains("box"));
+    CHECK(found[1].where == Span{9, 16});
+}
