@@ -49,7 +49,8 @@ const Action* find_action(std::string_view name) {
 
 const Action* action_of(std::string_view shortcut) {
     if (shortcut.empty()) return nullptr;
-    const auto found = std::find_if(all_actions().begin(), all_actions().end(), [&](const Action& action) { return action.shortcut == shortcut; });
+    const auto found =
+        std::find_if(all_actions().begin(), all_actions().end(), [&](const Action& action) { return action.shortcut == shortcut; });
     return found == all_actions().end() ? nullptr : &*found;
 }
 

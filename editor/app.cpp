@@ -204,7 +204,8 @@ void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> 
     }
     if (ui_.hovered && ui_.hovered != state_.selection && !ui_.drag.active())
         outline_painter_.draw(program, places, ui_.hovered, {palette::text.rgb(), 0.75, 1.4 * pixel, 0.06, 0}, canvas);
-    if (state_.selection) outline_painter_.draw(program, places, state_.selection, {palette::accent.rgb(), 1, 2.2 * pixel, 0.12, 0}, canvas);
+    if (state_.selection)
+        outline_painter_.draw(program, places, state_.selection, {palette::accent.rgb(), 1, 2.2 * pixel, 0.12, 0}, canvas);
 }
 
 Result<bool> App::screenshot(const std::string& path) {

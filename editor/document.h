@@ -64,8 +64,8 @@ public:
     /// Atomic; overwrites what is there: who names a path has been asked.
     Result<void> save_as(const std::string& path);
     /// Looks at the disk: a clean document follows it (broken text keeps the last good scene and shows its problems);
-    /// a dirty one whose file changed outside reports a conflict and changes nothing. A file that two looks in a row do not find is missing:
-    /// the document is all that is left of it.
+    /// a dirty one whose file changed outside reports a conflict and changes nothing. A file that two looks in a row do not find is
+    /// missing: the document is all that is left of it.
     DiskState check_disk();
     /// Takes the disk's text in place of the document's, whatever was edited; undo brings it back. Fails on a broken text.
     Result<void> reload();

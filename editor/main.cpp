@@ -103,8 +103,11 @@ int main(int argc, char** argv) {
     cli.add_option("--frames", arguments.frames, "Exit after so many frames")->check(CLI::NonNegativeNumber);
     cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG before exiting");
     cli.add_option("--size", arguments.size, "Window size, WIDTHxHEIGHT")->capture_default_str();
-    cli.add_option("--ticks-per-frame", arguments.ticks_per_frame, "Ticks a frame; 0: by the clock, 16 with --script or --frames")->check(CLI::Range(0, 100000));
-    cli.add_option("--font-size", arguments.font_size, "Size of the text, and of everything with it")->check(CLI::Range(8.0, 48.0))->capture_default_str();
+    cli.add_option("--ticks-per-frame", arguments.ticks_per_frame, "Ticks a frame; 0: by the clock, 16 with --script or --frames")
+        ->check(CLI::Range(0, 100000));
+    cli.add_option("--font-size", arguments.font_size, "Size of the text, and of everything with it")
+        ->check(CLI::Range(8.0, 48.0))
+        ->capture_default_str();
     cli.set_version_flag("--version", "pinfield-editor " PINFIELD_VERSION);
     try {
         cli.parse(argc, argv);

@@ -52,7 +52,8 @@ void offer_places(const AppState& state, const Vec2& p, Candidate& best) {
     for (const Part& part : state.session.program().parts) {
         if (part.sensor < 0 && !part.is<parts::Spawn>()) continue;
         const double distance = length(p - part.world_from_part.offset) - place_radius;
-        if (distance <= 0 && is_free(state.document.scene(), part.origin)) best.offer(part.origin, distance, pi * place_radius * place_radius);
+        if (distance <= 0 && is_free(state.document.scene(), part.origin))
+            best.offer(part.origin, distance, pi * place_radius * place_radius);
     }
 }
 

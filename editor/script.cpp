@@ -183,7 +183,8 @@ ScriptRunner::Frame ScriptRunner::run_drag(const ScriptStep& step, const AppStat
 
 /// The frame after the release takes no ticks: it only lets the window see it.
 ScriptRunner::Frame ScriptRunner::run_key(const ScriptStep& step, ScriptHost& host) {
-    if (frame_ == 0 && !host.press_key(step.name, true)) return fail(fmt::format("there is no key {}; keys are named as in inputs: Z, Space, LeftShift", step.name));
+    if (frame_ == 0 && !host.press_key(step.name, true))
+        return fail(fmt::format("there is no key {}; keys are named as in inputs: Z, Space, LeftShift", step.name));
     if (const Frame frame = run_wait(std::max(step.ticks, 1), host)) return frame;
     if (std::exchange(released_, !released_)) return {};
     host.press_key(step.name, false);

@@ -97,7 +97,8 @@ void Session::follow(Document& document) {
         return !change.everything && change.node == first.node && change.field == first.field;
     });
     if (one_field && !stale_) {
-        if (ProgramPtr patched = patch(program(), document.scene(), first.node, first.field)) return adopt(std::move(patched), document.scene());
+        if (ProgramPtr patched = patch(program(), document.scene(), first.node, first.field))
+            return adopt(std::move(patched), document.scene());
     }
     auto compiled = compile(document.scene());
     stale_ = !compiled;
@@ -187,7 +188,8 @@ Similarity Session::world_from_mover(int mover) const {
     const MoverState& state = world_->movers()[static_cast<std::size_t>(mover)];
     if (!state.rotates) return {shape.cosine, shape.sine, 1, false, shape.pivot + state.q * state.axis};
     const SineCosine turn = sine_cosine(shape.handedness * state.q);
-    return {turn.cosine * shape.cosine - turn.sine * shape.sine, turn.sine * shape.cosine + turn.cosine * shape.sine, 1, false, shape.pivot};
+    return {turn.cosine * shape.cosine - turn.sine * shape.sine, turn.sine * shape.cosine + turn.cosine * shape.sine, 1, false,
+            shape.pivot};
 }
 
 }  // namespace pinfield::editor

@@ -19,7 +19,9 @@ bool begin_modal(const Theme& theme, const char* title, float width) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(20), theme.px(18)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, theme.px(8));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1);
-    const bool open = ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+    const bool open = ImGui::BeginPopupModal(
+        title, nullptr,
+        ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
     ImGui::PopStyleVar(3);
     return open;
 }
@@ -33,7 +35,8 @@ void list_folder(PathDialog& dialog) {
     dialog.folders.clear();
     dialog.files.clear();
     std::error_code ignored;  // a folder that cannot be read shows as empty
-    for (fs::directory_iterator it(dialog.folder, fs::directory_options::skip_permission_denied, ignored), end; !ignored && it != end; it.increment(ignored)) {
+    for (fs::directory_iterator it(dialog.folder, fs::directory_options::skip_permission_denied, ignored), end; !ignored && it != end;
+         it.increment(ignored)) {
         const std::string name = it->path().filename().string();
         if (name.empty() || name[0] == '.') continue;
         std::error_code unknown;
@@ -61,7 +64,9 @@ Click listing_row(const Theme& theme, const std::string& name, Icon icon, const 
     const bool hot = ImGui::IsItemHovered();
     click.twice = hot && ImGui::IsMouseDoubleClicked(0);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    if (chosen || hot) list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink(chosen ? palette::accent_deep : palette::field_hot), theme.px(4));
+    if (chosen || hot)
+        list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink(chosen ? palette::accent_deep : palette::field_hot),
+                           theme.px(4));
     draw_icon(list, icon, {place.x + theme.px(16), place.y + 0.5f * size.y}, theme.px(14), ink(color));
     list.AddText({place.x + theme.px(32), place.y + 0.5f * (size.y - ImGui::GetFontSize())}, ink(palette::text), name.c_str());
     return click;
@@ -121,7 +126,8 @@ void path_dialog(AppState& state, Ui& ui) {
         ImGui::SetNextItemWidth(-1);
         ImGui::PushStyleColor(ImGuiCol_FrameBg, palette::panel);
         ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(10), theme.px(6)));
-        accept = ImGui::InputTextWithHint("##name", "File name or path", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue) || accept;
+        accept =
+            ImGui::InputTextWithHint("##name", "File name or path", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue) || accept;
         ImGui::PopStyleVar();
         ImGui::PopStyleColor();
         dialog.name = buffer;
@@ -176,7 +182,8 @@ void sheet_line(const Theme& theme, const std::string& what, const std::string& 
 std::vector<std::string_view> menus_with_keys() {
     std::vector<std::string_view> menus;
     for (const Action& action : all_actions())
-        if (!action.menu.empty() && !action.shortcut.empty() && std::find(menus.begin(), menus.end(), action.menu) == menus.end()) menus.push_back(action.menu);
+        if (!action.menu.empty() && !action.shortcut.empty() && std::find(menus.begin(), menus.end(), action.menu) == menus.end())
+            menus.push_back(action.menu);
     return menus;
 }
 
@@ -212,7 +219,8 @@ void shortcut_sheet(AppState& state, Ui& ui) {
     for (const std::string_view menu : menus_with_keys()) {
         text_in(theme.strong, palette::quiet, menu);
         for (const Action& action : all_actions())
-            if (action.menu == menu && !action.shortcut.empty()) sheet_line(theme, std::string(action.label), std::string(action.shortcut), column);
+            if (action.menu == menu && !action.shortcut.empty())
+                sheet_line(theme, std::string(action.label), std::string(action.shortcut), column);
         ImGui::Dummy({0, theme.px(8)});
     }
     ImGui::NextColumn();

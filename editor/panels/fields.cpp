@@ -61,7 +61,8 @@ void typing_field(const Row& row, float width) {
     typing.text.copy(buffer, sizeof buffer - 1);
     ImGui::SetNextItemWidth(width);
     if (typing.begins) ImGui::SetKeyboardFocusHere();
-    const bool entered = ImGui::InputText("##type", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    const bool entered =
+        ImGui::InputText("##type", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     typing.text = buffer;
     if (entered) finish_typing(row);
     else if (!typing.begins && ImGui::IsItemDeactivated()) {
@@ -157,7 +158,11 @@ void boolean_control(const Row& row) {
     if (ImGui::InvisibleButton("switch", {w, height})) row.set(!on);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float top = place.y + 0.5f * (height - h);
-    list.AddRectFilled({place.x, top}, {place.x + w, top + h}, ink(on ? palette::hex(0x2f7ab3) : ImGui::IsItemHovered() ? palette::field_active : palette::field_hot), r);
+    list.AddRectFilled({place.x, top}, {place.x + w, top + h},
+                       ink(on                       ? palette::hex(0x2f7ab3)
+                           : ImGui::IsItemHovered() ? palette::field_active
+                                                    : palette::field_hot),
+                       r);
     list.AddCircleFilled({place.x + (on ? w - r : r), top + r}, r - theme.px(3), ink(on ? palette::text : palette::quiet));
 }
 
@@ -200,9 +205,11 @@ void text_control(const Row& row, float width, const std::string& text, const ch
     const bool hot = ImGui::IsItemHovered();
     if (hot) ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink(hot ? palette::field_hot : palette::field), ImGui::GetStyle().FrameRounding);
+    list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink(hot ? palette::field_hot : palette::field),
+                       ImGui::GetStyle().FrameRounding);
     const std::string fits = fitted(text.empty() ? hint : text, width - theme.px(16));
-    list.AddText({place.x + theme.px(8), place.y + 0.5f * (size.y - ImGui::GetFontSize())}, ink(text.empty() ? palette::faint : palette::text), fits.c_str());
+    list.AddText({place.x + theme.px(8), place.y + 0.5f * (size.y - ImGui::GetFontSize())},
+                 ink(text.empty() ? palette::faint : palette::text), fits.c_str());
 }
 
 void color_control(const Row& row) {
@@ -213,7 +220,9 @@ void color_control(const Row& row) {
     float rgb[3] = {0.5f, 0.5f, 0.5f};
     if (parsed) rgb[0] = part(parsed->r), rgb[1] = part(parsed->g), rgb[2] = part(parsed->b);
     const float height = ImGui::GetFrameHeight();
-    if (ImGui::ColorButton("swatch", {rgb[0], rgb[1], rgb[2], 1}, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoBorder, {height, height})) ImGui::OpenPopup("picker");
+    if (ImGui::ColorButton("swatch", {rgb[0], rgb[1], rgb[2], 1}, ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoBorder,
+                           {height, height}))
+        ImGui::OpenPopup("picker");
     ImGui::SameLine(0, theme.px(6));
     text_control(row, row.width - height - theme.px(6), text, "theme's");
     if (!ImGui::BeginPopup("picker")) return;
@@ -222,7 +231,8 @@ void color_control(const Row& row) {
         const auto byte = [](float c) { return static_cast<std::uint8_t>(std::lround(255 * std::clamp(c, 0.0f, 1.0f))); };
         tell(row.state, document.preview({row.node.id, row.index, to_text(Color{byte(rgb[0]), byte(rgb[1]), byte(rgb[2])})}));
     }
-    if (document.previewing() && !ImGui::IsMouseDown(0)) tell(row.state, document.commit(change_label(document.scene(), row.node.id, row.index)));
+    if (document.previewing() && !ImGui::IsMouseDown(0))
+        tell(row.state, document.commit(change_label(document.scene(), row.node.id, row.index)));
     ImGui::EndPopup();
 }
 

@@ -10,7 +10,9 @@ namespace pinfield::editor {
 namespace {
 
 bool contains_word(std::string_view text, std::string_view word) {
-    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b)); };
+    const auto same = [](char a, char b) {
+        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+    };
     return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
@@ -146,7 +148,8 @@ private:
         const float type_size = theme.small->FontSize;
         const float type_width = theme.small->CalcTextSizeA(type_size, 1e9f, 0, type.c_str()).x;
         if (right - type_width > after)
-            list.AddText(theme.small, type_size, {right - type_width, middle - 0.5f * type_size}, ink(selected ? palette::quiet : palette::faint), type.c_str());
+            list.AddText(theme.small, type_size, {right - type_width, middle - 0.5f * type_size},
+                         ink(selected ? palette::quiet : palette::faint), type.c_str());
     }
 
     static bool flag(const Node& node, std::string_view key, bool otherwise) {

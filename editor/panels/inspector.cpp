@@ -28,7 +28,8 @@ void next_badge(const Theme& theme, std::string_view text) {
 /// Words and filled or bare pills tell the sides apart, not colour alone.
 void side_badge(const Theme& theme, const std::string& where, Side side) {
     const bool exact = side == Side::exact;
-    pill(theme, (exact ? "exact " : "bound ") + where, exact ? palette::accent : palette::amber, exact ? PillStyle::filled : PillStyle::bare);
+    pill(theme, (exact ? "exact " : "bound ") + where, exact ? palette::accent : palette::amber,
+         exact ? PillStyle::filled : PillStyle::bare);
     tooltip(theme, exact ? "The distance shown and used " + where + " is the true one."
                          : "The distance shown and used " + where + " may fall short of the true one but never exceeds it: safe for balls, "
                            "while an offset of it would be misplaced.");
@@ -54,10 +55,11 @@ void exactness_badges(const AppState& state, const Theme& theme, const Node& nod
         const char* word = trust->fit_error > 0 ? "boundary fitted" : "boundary known";
         next_badge(theme, word);
         pill(theme, word, palette::quiet, PillStyle::filled);
-        tooltip(theme, trust->fit_error > 0 ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its "
-                                       "distance is right on both sides, but for the error shown."
-                                     : "The boundary of this node was found when the table was compiled and is what the ball meets, so that its "
-                                       "distance is exact on both sides.");
+        tooltip(theme, trust->fit_error > 0
+                           ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its "
+                             "distance is right on both sides, but for the error shown."
+                           : "The boundary of this node was found when the table was compiled and is what the ball meets, so that its "
+                             "distance is exact on both sides.");
     }
     const std::string slope = "L = " + to_text(e.lipschitz, e.lipschitz == 1 ? 0 : 2);
     next_badge(theme, slope);
@@ -93,7 +95,8 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
 
 void field_rows(AppState& state, Ui& ui, const Node& node, bool common) {
     for (std::size_t i = 0; i < node.type->fields.size(); ++i)
-        if (node.type->fields[i].common == common && (node.has_use_for(i) || node.fields[i].given)) field_row(state, ui, node, static_cast<int>(i));
+        if (node.type->fields[i].common == common && (node.has_use_for(i) || node.fields[i].given))
+            field_row(state, ui, node, static_cast<int>(i));
 }
 
 void contracts(const Theme& theme, const NodeType& type) {
@@ -108,7 +111,8 @@ void contracts(const Theme& theme, const NodeType& type) {
 void nothing_selected(const Theme& theme) {
     text_in(theme.strong, palette::text, "Nothing selected");
     ImGui::PushTextWrapPos(0);
-    text_in(theme.body, palette::quiet, "Click something on the table, or a row of the tree. Drag a number here to change it while the balls roll.");
+    text_in(theme.body, palette::quiet,
+            "Click something on the table, or a row of the tree. Drag a number here to change it while the balls roll.");
     ImGui::PopTextWrapPos();
 }
 

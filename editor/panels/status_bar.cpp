@@ -36,7 +36,8 @@ float probe(const AppState& state, const Ui& ui, ImDrawList& list, float right, 
 
 void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const Theme& theme = ui.theme;
-    begin_region("##status", position, size, palette::bar, {theme.px(12), 0}, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_region("##status", position, size, palette::bar, {theme.px(12), 0},
+                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine(position, {position.x + size.x, position.y}, ink(palette::line));
     const float y = position.y + 0.5f * (size.y - ImGui::GetFontSize());
@@ -49,7 +50,11 @@ void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const float width = ImGui::CalcTextSize(count.c_str()).x + theme.px(30);
     if (ImGui::InvisibleButton("problems", {width, size.y})) ui.problems_open = !ui.problems_open;
     const Tint color = problems == 0 ? palette::quiet : found.any_error() ? palette::coral : palette::amber;
-    draw_icon(list, problems == 0 ? Icon::fine : found.any_error() ? Icon::error : Icon::warning, {position.x + theme.px(20), position.y + 0.5f * size.y}, theme.px(14), ink(color));
+    draw_icon(list,
+              problems == 0       ? Icon::fine
+              : found.any_error() ? Icon::error
+                                  : Icon::warning,
+              {position.x + theme.px(20), position.y + 0.5f * size.y}, theme.px(14), ink(color));
     list.AddText({position.x + theme.px(32), y}, ink(ImGui::IsItemHovered() ? palette::text : color), count.c_str());
 
     float x = position.x + width + theme.px(22);

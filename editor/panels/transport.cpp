@@ -37,12 +37,14 @@ void speed_menu(AppState& state, const Theme& theme) {
 }
 
 /// A label over a number, growing to the left from `right`; returns where it begins.
-float counter(ImDrawList& list, const Theme& theme, const char* label, const std::string& number, float right, float top, const Tint& color) {
+float counter(ImDrawList& list, const Theme& theme, const char* label, const std::string& number, float right, float top,
+              const Tint& color) {
     ImGui::PushFont(theme.small);
     const float label_width = ImGui::CalcTextSize(label).x;
     ImGui::PopFont();
     float cell = 0;
-    for (const char* d = "0123456789"; *d; ++d) cell = std::max(cell, theme.large->CalcTextSizeA(theme.large->FontSize, 1e9f, 0, d, d + 1).x);
+    for (const char* d = "0123456789"; *d; ++d)
+        cell = std::max(cell, theme.large->CalcTextSizeA(theme.large->FontSize, 1e9f, 0, d, d + 1).x);
     const float width = std::max(label_width, theme.px(6) + static_cast<float>(number.size()) * (cell + 1));
     const float x = std::floor(right - width);
     list.AddText(theme.small, theme.small->FontSize, {x, top}, ink(palette::quiet), label);
@@ -54,7 +56,8 @@ float counter(ImDrawList& list, const Theme& theme, const char* label, const std
 
 void transport_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const Theme& theme = ui.theme;
-    begin_region("##transport", position, size, palette::bar, {theme.px(12), theme.px(8)}, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_region("##transport", position, size, palette::bar, {theme.px(12), theme.px(8)},
+                 ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddLine(position, {position.x + size.x, position.y}, ink(palette::line));
     play_buttons(state, theme);

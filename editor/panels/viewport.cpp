@@ -66,7 +66,8 @@ void scale_bar(const AppState& state, const Theme& theme, ImDrawList& list, ImVe
     list.AddLine({corner.x, corner.y}, {corner.x + width, corner.y}, color, w);
     list.AddLine({corner.x, corner.y - h}, {corner.x, corner.y + 1}, color, w);
     list.AddLine({corner.x + width, corner.y - h}, {corner.x + width, corner.y + 1}, color, w);
-    list.AddText(theme.small, theme.small->FontSize, {corner.x + width + theme.px(8), corner.y - 0.7f * theme.small->FontSize}, color, label.c_str());
+    list.AddText(theme.small, theme.small->FontSize, {corner.x + width + theme.px(8), corner.y - 0.7f * theme.small->FontSize}, color,
+                 label.c_str());
 }
 
 /// Where balls start: a dashed ring with the way they go; and the id of what is selected or under the mouse.
@@ -99,7 +100,8 @@ void name_tag(const AppState& state, const Theme& theme, ImDrawList& list, NodeI
     const ImVec2 top = im(state.view.pixel_from_world({box.centre().x(), box.hi.y()}));
     const float lowest = static_cast<float>(state.view.origin.y()) + theme.px(50);
     const ImVec2 place{std::round(top.x - 0.5f * size.x), std::round(std::max(top.y - size.y - theme.px(14), lowest))};
-    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y}, ink(palette::bar.faded(0.88f)), theme.px(4));
+    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y},
+                       ink(palette::bar.faded(0.88f)), theme.px(4));
     list.AddText(place, ink(color), text.c_str());
 }
 
@@ -131,7 +133,8 @@ void view_controls(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
 
 void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     // The table itself is painted under this window, before the panels.
-    begin_region("##viewport", position, size, Tint{0, 0, 0, 0}, {0, 0}, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
+    begin_region("##viewport", position, size, Tint{0, 0, 0, 0}, {0, 0},
+                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
     const Vec2 old_size = state.view.size;
     state.view.origin = vec(position);
     state.view.size = vec(size);
@@ -139,7 +142,8 @@ void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     else if (old_size != state.view.size) state.view.pixels_per_metre *= std::min(size.y / old_size.y(), 1e3);
     ui.frame_wanted = false;
 
-    ImGui::InvisibleButton("##table", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+    ImGui::InvisibleButton("##table", size,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     ui.viewport_hovered = ImGui::IsItemHovered();
     ui.mouse_world = state.view.world_from_pixel(ui.mouse);

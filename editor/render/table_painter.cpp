@@ -147,7 +147,10 @@ void TablePainter::draw_balls(std::span<const BallMark> balls, const Canvas& can
     ball_shader_.set("canvas", canvas.size);
     const auto add = [&](const Vec2& centre, double reach, double extra) {
         const Vec2 c = canvas.pixel_from_world(centre);
-        quads_.add({{c.x() - reach, c.y() + reach}, {c.x() + reach, c.y() + reach}, {c.x() + reach, c.y() - reach}, {c.x() - reach, c.y() - reach}},
+        quads_.add({{c.x() - reach, c.y() + reach},
+                    {c.x() + reach, c.y() + reach},
+                    {c.x() + reach, c.y() - reach},
+                    {c.x() - reach, c.y() - reach}},
                    {-1, -1}, {1, 1}, extra);
     };
     for (const bool shadows : {true, false}) {

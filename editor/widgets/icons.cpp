@@ -123,7 +123,10 @@ void draw_mark(const Pen& pen, Icon icon) {
             pen.line(0.27f, 0.27f, 0.75f, 0.75f);
             break;
         case Icon::folder:
-            pen.path(std::array<ImVec2, 6>{{{-0.85f, 0.65f}, {-0.85f, -0.6f}, {-0.25f, -0.6f}, {-0.05f, -0.35f}, {0.85f, -0.35f}, {0.85f, 0.65f}}}, true);
+            pen.path(
+                std::array<ImVec2, 6>{
+                    {{-0.85f, 0.65f}, {-0.85f, -0.6f}, {-0.25f, -0.6f}, {-0.05f, -0.35f}, {0.85f, -0.35f}, {0.85f, 0.65f}}},
+                true);
             break;
         case Icon::file:
             pen.path(std::array<ImVec2, 5>{{{-0.6f, -0.85f}, {0.2f, -0.85f}, {0.6f, -0.45f}, {0.6f, 0.85f}, {-0.6f, 0.85f}}}, true);

@@ -95,7 +95,9 @@ void bench(bool json, int runs) {
     }
     print(fmt::format(
         "generated playfield: {} obstacles, {} elastic balls, {:g} m/s, one thread; medians\n"
-        "  physics  {:8.2f} million ball-steps/s\n  raster   {:8.2f} ms for {} x {} ({}), {:.2f} ms (sse2)\n  patch    {:8.4f} ms for a moved obstacle\n"
+        "  physics  {:8.2f} million ball-steps/s\n"
+        "  raster   {:8.2f} ms for {} x {} ({}), {:.2f} ms (sse2)\n"
+        "  patch    {:8.4f} ms for a moved obstacle\n"
         "  compile  {:8.2f} ms\n",
         obstacles, balls, speed, rate * 1e-6, raster * 1e3, pixels, pixels, isa, raster_sse2 * 1e3, edit * 1e3, whole * 1e3));
 }

@@ -58,10 +58,11 @@ const char* word(Side side) { return side == Side::exact ? "exact" : "bound"; }
 
 std::string message_of(const Note& note) {
     const Exactness& formula = note.trust.formula;
-    return fmt::format("{} is {} outside, {} inside, L = {:.4g}{}", note.node, word(formula.outside), word(formula.inside), formula.lipschitz,
-                       !note.trust.boundary_known ? ""
-                       : note.trust.fit_error == 0 ? ", its boundary is known: exact on both sides"
-                                                   : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.trust.fit_error));
+    return fmt::format(
+        "{} is {} outside, {} inside, L = {:.4g}{}", note.node, word(formula.outside), word(formula.inside), formula.lipschitz,
+        !note.trust.boundary_known  ? ""
+        : note.trust.fit_error == 0 ? ", its boundary is known: exact on both sides"
+                                    : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.trust.fit_error));
 }
 
 std::string lines_of(const std::vector<Note>& notes, const SourceText& source) {

@@ -102,7 +102,8 @@ void eval(const Options& options) {
 }  // namespace
 
 void add_eval(CLI::App& app, Exit& exit) {
-    CLI::App* command = app.add_subcommand("eval", "Evaluate the signed distance of a table's solids at points, and tell where it is certified to be the true one");
+    CLI::App* command = app.add_subcommand(
+        "eval", "Evaluate the signed distance of a table's solids at points, and tell where it is certified to be the true one");
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "Table file")->required();
     command->add_option("--points", options->points, "CSV with the header x,y, metres")->required();

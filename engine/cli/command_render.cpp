@@ -32,7 +32,8 @@ std::string refuse_size(const std::string& text, Size* size = nullptr) {
     const auto width = x == text.npos ? std::nullopt : parse_number(text.substr(0, x));
     const auto height = x == text.npos ? std::nullopt : parse_number(text.substr(x + 1));
     const auto fits = [](const std::optional<double>& n) { return n && *n >= 1 && *n <= most_pixels_a_side && *n == static_cast<int>(*n); };
-    if (!fits(width) || !fits(height)) return fmt::format("\"{}\" is no size: WIDTHxHEIGHT in pixels, at most {} each", text, most_pixels_a_side);
+    if (!fits(width) || !fits(height))
+        return fmt::format("\"{}\" is no size: WIDTHxHEIGHT in pixels, at most {} each", text, most_pixels_a_side);
     if (size) *size = {static_cast<int>(*width), static_cast<int>(*height)};
     return "";
 }

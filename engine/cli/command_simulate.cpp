@@ -54,7 +54,9 @@ std::vector<InputChange> read_inputs(const std::string& path, const Program& pro
     std::vector<InputChange> changes;
     if (path.empty()) return changes;
     for (const CsvRecord& record : value_or_stop(read_csv(path, "tick,input,value"))) {
-        const auto stop = [&](const std::string& message) { throw Stop{Exit::failed, fmt::format("{}:{}: {}", path, record.line, message)}; };
+        const auto stop = [&](const std::string& message) {
+            throw Stop{Exit::failed, fmt::format("{}:{}: {}", path, record.line, message)};
+        };
         const double tick = value_or_stop(csv_number(path, record, 0));
         if (tick < 0 || tick > 1e15 || tick != std::floor(tick)) stop(fmt::format("\"{}\" is no tick", record.cells[0]));
         const auto input = std::find(program.inputs.begin(), program.inputs.end(), record.cells[1]);
@@ -112,11 +114,13 @@ JsonObject json_of(const SimulationSummary& summary, const std::string& table) {
 }
 
 std::string text_of(const SimulationSummary& summary, const std::string& table, double step) {
-    std::string text = fmt::format("{}: {} {}, {} ticks ({:g} s) in {:.3f} s: {:.3g} ball-steps/s\n", table, summary.balls, summary.balls == 1 ? "ball" : "balls", summary.ticks,
-                                   static_cast<double>(summary.ticks) * step, summary.wall_seconds, summary.ball_steps_per_second);
+    std::string text = fmt::format("{}: {} {}, {} ticks ({:g} s) in {:.3f} s: {:.3g} ball-steps/s\n", table, summary.balls,
+                                   summary.balls == 1 ? "ball" : "balls", summary.ticks, static_cast<double>(summary.ticks) * step,
+                                   summary.wall_seconds, summary.ball_steps_per_second);
     text += fmt::format("  escaped         {}\n  drained         {}\n  max penetration {:.3g} m\n", summary.escaped, summary.drained,
                         summary.max_penetration);
-    text += fmt::format("  energy          {:.9g} J at first, {:.9g} J at last\n  events         ", summary.energy_first, summary.energy_last);
+    text +=
+        fmt::format("  energy          {:.9g} J at first, {:.9g} J at last\n  events         ", summary.energy_first, summary.energy_last);
     for (int kind = 0; kind < event_kinds; ++kind)
         if (const auto count = summary.events[static_cast<std::size_t>(kind)])
             text += fmt::format(" {} {}", name(static_cast<EventKind>(kind)), count);
@@ -160,9 +164,11 @@ void add_simulate(CLI::App& app, Exit& exit) {
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "Table file")->required();
     add_quantity(*command, "--seconds", options->seconds, Unit::second, from(0), to(1e6), "How long, in the table's time (10)");
-    CLI::Option* balls = command->add_option("--balls", options->balls, "Scatter this many balls that ignore each other, in place of the spawns")
-                             ->check(CLI::Range(0, 1'000'000));
-    add_quantity(*command, "--speed", options->speed, Unit::metre_per_second, from(0), to(1e6), "Of the scattered balls, m/s (1)")->needs(balls);
+    CLI::Option* balls =
+        command->add_option("--balls", options->balls, "Scatter this many balls that ignore each other, in place of the spawns")
+            ->check(CLI::Range(0, 1'000'000));
+    add_quantity(*command, "--speed", options->speed, Unit::metre_per_second, from(0), to(1e6), "Of the scattered balls, m/s (1)")
+        ->needs(balls);
     command->add_option("--seed", options->seed, "Of everything random: a whole number from 0 to 2^64 - 1")
         ->check([](const std::string& text) { return refuse_seed(text); })
         ->capture_default_str();

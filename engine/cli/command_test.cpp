@@ -100,8 +100,11 @@ std::string json_of(const std::vector<Verdict>& verdicts, int failed) {
     for (const Verdict& verdict : verdicts) {
         std::vector<std::string> failures;
         for (const std::string& failure : verdict.failures) failures.push_back(json_text(failure));
-        tests.push_back(
-            JsonObject().add("name", verdict.name).add("passed", verdict.failures.empty()).add_raw("failures", json_array(failures)).text());
+        tests.push_back(JsonObject()
+                            .add("name", verdict.name)
+                            .add("passed", verdict.failures.empty())
+                            .add_raw("failures", json_array(failures))
+                            .text());
     }
     return JsonObject()
                .add("passed", static_cast<int>(verdicts.size()) - failed)

@@ -1,5 +1,5 @@
-// The point that distance formulas are written over, and the lists they read: any scalar, no Eigen, so that they may enter a SIMD translation
-// unit.
+// The point that distance formulas are written over, and the lists they read: any scalar, no Eigen, so that they may enter a SIMD
+// translation unit.
 #pragma once
 
 namespace pinfield {

@@ -84,7 +84,8 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
 
 /// "-circle" and "radius:30mm" are words of their own to YAML: what was meant, or nothing.
 std::string missing_blank(std::string_view text) {
-    if (text.size() > 1 && text[0] == '-' && is_name(text.substr(1))) return fmt::format("a blank belongs after the dash: - {}", text.substr(1));
+    if (text.size() > 1 && text[0] == '-' && is_name(text.substr(1)))
+        return fmt::format("a blank belongs after the dash: - {}", text.substr(1));
     const std::size_t colon = text.find(':');
     if (colon == std::string_view::npos || colon == 0 || colon + 1 == text.size() || !is_name(text.substr(0, colon))) return {};
     return fmt::format("a blank belongs after the colon: {}: {}", text.substr(0, colon), text.substr(colon + 1));
@@ -213,7 +214,8 @@ void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNod
     if (list.kind != YamlKind::sequence) {
         const bool is_map = list.kind == YamlKind::map && list.entries() > 0;
         const std::string blank = list.kind == YamlKind::scalar ? missing_blank(list.text) : is_map ? missing_blank(list.key(0).text) : "";
-        return context.report(Code::wrong_shape, list.span, "a list of nodes is due here", blank.empty() ? "begin each node with a dash" : blank);
+        return context.report(Code::wrong_shape, list.span, "a list of nodes is due here",
+                              blank.empty() ? "begin each node with a dash" : blank);
     }
     std::size_t left = context.limits.nodes;
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))

@@ -60,8 +60,9 @@ void check_fields(ReadContext& context, const Scene& scene) {
             const FieldType& field = node.type->fields[i];
             if (!node.fields[i].given) continue;
             if (!node.has_use_for(i))
-                context.report(Code::idle_field, node.fields[i].where,
-                               fmt::format("{} does nothing without {}: {}", field.key, field.meta.only_with.field, field.meta.only_with.choice));
+                context.report(
+                    Code::idle_field, node.fields[i].where,
+                    fmt::format("{} does nothing without {}: {}", field.key, field.meta.only_with.field, field.meta.only_with.choice));
             if (field.kind == FieldKind::id && field.key != "id") check_material(context, materials, node.fields[i]);
             if (field.kind == FieldKind::names && field.meta.meaning == Meaning::input)
                 check_inputs(context, inputs, node.fields[i]);

@@ -104,7 +104,8 @@ void advance_mover(WorldState& w, std::size_t m, double time) {
     if (dt <= 0) return;
     const bool still = work.stalled || (s.rate == 0 && s.acceleration == 0);
     if (w.recording)
-        w.mover_paths.push_back({static_cast<int>(m), w.start_time() + work.time, dt, s.q, still ? 0.0 : s.rate, still ? 0.0 : s.acceleration});
+        w.mover_paths.push_back(
+            {static_cast<int>(m), w.start_time() + work.time, dt, s.q, still ? 0.0 : s.rate, still ? 0.0 : s.acceleration});
     if (!still) {
         s.q = std::clamp(s.q + dt * s.rate + 0.5 * dt * dt * s.acceleration, s.q_min, s.q_max);
         s.rate += dt * s.acceleration;
@@ -182,7 +183,8 @@ private:
         if (++w_.mover_work[m].stops > most_impacts) stall(m);
         if (speed > 10 * w_.physics.rest_speed) {
             const Part& part = w_.program().parts[at(w_.program().movers[m].part)];
-            w_.events.push_back({w_.tick, w_.start_time() + time, EventKind::flipper_end, {}, part.origin, w_.program().movers[m].pivot, {0, 0}, speed});
+            w_.events.push_back(
+                {w_.tick, w_.start_time() + time, EventKind::flipper_end, {}, part.origin, w_.program().movers[m].pivot, {0, 0}, speed});
         }
         replan_mover(m);
     }

@@ -360,7 +360,8 @@ void respond_to_ball(WorldState& w, std::size_t i, std::size_t j) {
     ++w.stats.impacts;
     a.free_path = b.free_path = 0;
     if (closing > w.physics.rest_speed)
-        w.events.push_back({w.tick, w.start_time() + w.work[i].time, EventKind::ball_hit, a.id, {}, b.position + w.physics.ball_radius * n, n, closing});
+        w.events.push_back(
+            {w.tick, w.start_time() + w.work[i].time, EventKind::ball_hit, a.id, {}, b.position + w.physics.ball_radius * n, n, closing});
 }
 
 }  // namespace pinfield

@@ -16,7 +16,8 @@ bool escaped(const Program& program, const Ball& ball, double distance) {
     if (distance >= 0) return false;
     const std::vector<Solid>& solids = program.fixed.solids;
     for (std::size_t s = 0; s < solids.size(); ++s)
-        if (solids[s].is_domain && (solids[s].layers & ball.layer) && nearest_of_solid(program.fixed, static_cast<int>(s), ball.position).distance < 0)
+        if (solids[s].is_domain && (solids[s].layers & ball.layer) &&
+            nearest_of_solid(program.fixed, static_cast<int>(s), ball.position).distance < 0)
             return true;
     return false;
 }

@@ -166,8 +166,9 @@ PieceHit sweep_arc(const SweepPiece& p, const Motion& motion, double duration, d
     for (const Vec2& end : {Vec2(p.a - p.centre), Vec2(p.b - p.centre)})
         splits.add_roots(cross(end, path.position), cross(end, path.velocity), cross(end, path.acceleration), duration);
     splits.finish(duration);
-    return over_stretches(splits, path, duration, radius, [&](double t) { return in_sector(p, path.at(t)); },
-                          [&](const Motion& stretch, double lasts) { return sweep_round(stretch, p.radius, sign, lasts, radius, band, evaluations); });
+    return over_stretches(
+        splits, path, duration, radius, [&](double t) { return in_sector(p, path.at(t)); },
+        [&](const Motion& stretch, double lasts) { return sweep_round(stretch, p.radius, sign, lasts, radius, band, evaluations); });
 }
 
 /// The ball against the line through a side, wherever along it.

@@ -92,7 +92,8 @@ struct Walk {
     Clearance by_value(const Op& op, int index, const Motion& motion, double margin) const {
         const double value = evaluate_tree(field, index, motion.position).value;
         ++evaluations;
-        return {lipschitz_step(value - margin, op.exactness.lipschitz, motion), lipschitz_step(-value - margin, op.exactness.lipschitz, motion)};
+        return {lipschitz_step(value - margin, op.exactness.lipschitz, motion),
+                lipschitz_step(-value - margin, op.exactness.lipschitz, motion)};
     }
 
     Clearance of(int index, const Motion& motion, double margin) const {

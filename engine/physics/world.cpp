@@ -217,7 +217,13 @@ std::uint64_t World::state_hash() const {
     Hash64 hash;
     hash.feed(state_->tick);
     for (const Ball& b : state_->balls)
-        hash.feed(b.id.value).feed(b.position.x()).feed(b.position.y()).feed(b.velocity.x()).feed(b.velocity.y()).feed(b.spin).feed(static_cast<int>(b.state));
+        hash.feed(b.id.value)
+            .feed(b.position.x())
+            .feed(b.position.y())
+            .feed(b.velocity.x())
+            .feed(b.velocity.y())
+            .feed(b.spin)
+            .feed(static_cast<int>(b.state));
     for (const MoverState& m : state_->movers) hash.feed(m.q).feed(m.rate).feed(m.acceleration).feed(m.drive_time);
     return hash.value();
 }

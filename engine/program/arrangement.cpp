@@ -68,7 +68,8 @@ private:
     /// formula's foot is too near to tell the sides, and where it was traced.
     sdf::Sample sample_of(const LeafImage& leaf, const Vec2& p) const {
         const sdf::Sample own = evaluate_tree(field_, leaf.leaf, leaf.field_from_leaf.inverse() * p);
-        if (leaf.error == 0 && (std::fabs(own.value) > tolerance_ || leaf.endless)) return {own.value, leaf.field_from_leaf.direction(own.gradient)};
+        if (leaf.error == 0 && (std::fabs(own.value) > tolerance_ || leaf.endless))
+            return {own.value, leaf.field_from_leaf.direction(own.gradient)};
         sdf::PieceFoot nearest;
         for (const Piece& piece : leaf.outline) {
             const sdf::PieceFoot foot = foot_on_piece(piece, p);

@@ -34,8 +34,8 @@ struct FoundLeaves {
     std::vector<int> lattice_copies;  ///< how many copies of its child each lattice counts, in the same order
     double horizon = infinity;  ///< metres from the origin, within which half planes' lines are whole
 };
-/// All appearances below an op, in the order a walk of the tree meets them: shapes with outlines, half planes, and round, inset and onion of
-/// such, under union, intersection, difference, xor, complement, images, and lattices within finite bounds; whatever else is there is
+/// All appearances below an op, in the order a walk of the tree meets them: shapes with outlines, half planes, and round, inset and onion
+/// of such, under union, intersection, difference, xor, complement, images, and lattices within finite bounds; whatever else is there is
 /// traced as a whole. Empty when some of that cannot be.
 FoundLeaves leaf_images(const Field& field, int root);
 

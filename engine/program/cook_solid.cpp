@@ -250,8 +250,9 @@ double appearances(const Scene& scene, NodeId id, Diagnostics& problems) {
     node.type->kernels->derive(block.data());
     const double all = below * static_cast<double>(node.type->kernels->images(block.data()).size());
     if (all > most && below > 1) {
-        problems.push_back(diagnose(Code::too_many_repeats, node.key,
-                                    fmt::format("{} shows {} shapes, repetitions in it multiplied; {} is the most", node.type->key(), all, most)));
+        problems.push_back(
+            diagnose(Code::too_many_repeats, node.key,
+                     fmt::format("{} shows {} shapes, repetitions in it multiplied; {} is the most", node.type->key(), all, most)));
         return 1;
     }
     return all;

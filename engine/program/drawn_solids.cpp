@@ -30,7 +30,8 @@ double distance_to(const double* packed, const Vec2& at) {
     static_assert(sizeof(c) == sdf::packed_piece_size * sizeof(double));
     std::memcpy(&c, packed, sizeof(c));
     const Point<double> p{at.x(), at.y()};
-    const double past_start = (p.x - c.ax) * c.start_x + (p.y - c.ay) * c.start_y, past_end = (p.x - c.bx) * c.end_x + (p.y - c.by) * c.end_y;
+    const double past_start = (p.x - c.ax) * c.start_x + (p.y - c.ay) * c.start_y,
+                 past_end = (p.x - c.bx) * c.end_x + (p.y - c.by) * c.end_y;
     if (past_start >= 0 && past_end <= 0) return std::fabs(sdf::distance_to_curve(p, c).distance);
     return std::min(length(at - Vec2(c.ax, c.ay)), length(at - Vec2(c.bx, c.by)));
 }
@@ -44,7 +45,8 @@ DrawnSolids::DrawnSolids(const Field& field, const Box2& window) : field_(field)
         if (!solid.visible || !solid.lowered || is_exact(field.ops[static_cast<std::size_t>(solid.root)].exactness)) continue;
         OutlineBlock outline = packed_boundary(field, solid);
         if (solid.horizon < infinity &&
-            farthest + std::fabs(sdf::boundary_kernels().distance(outline.data(), window.centre().x(), window.centre().y())) > solid.horizon)
+            farthest + std::fabs(sdf::boundary_kernels().distance(outline.data(), window.centre().x(), window.centre().y())) >
+                solid.horizon)
             continue;
         outlines_[i] = std::move(outline);
     }

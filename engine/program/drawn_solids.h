@@ -1,5 +1,5 @@
-// What a picture asks of a Field's solids: the formula where it is the distance, else how far away the boundary is, of which a tile needs few
-// pieces.
+// What a picture asks of a Field's solids: the formula where it is the distance, else how far away the boundary is, of which a tile needs
+// few pieces.
 #pragma once
 #include <vector>
 

@@ -124,7 +124,9 @@ int nearest_piece_of(const Field& field, int index, const Vec2& p) {
 }
 
 /// May the pieces' distance be wrong, because an endless solid's may lie nearer where they were cut off?
-bool reaches_beyond(double horizon, const Vec2& p, double distance) { return horizon < infinity && length(p) + std::fabs(distance) > horizon; }
+bool reaches_beyond(double horizon, const Vec2& p, double distance) {
+    return horizon < infinity && length(p) + std::fabs(distance) > horizon;
+}
 
 bool contains(const Field& field, const Solid& solid, const Vec2& p) {
     return solid.bounds.contains(p) && tree_value(field, solid.root, p) < 0;

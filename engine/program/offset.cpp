@@ -43,7 +43,8 @@ std::vector<std::pair<Vec2, int>> corners_of(const std::vector<OwnedPiece>& boun
     for (const OwnedPiece& owned : boundary) {
         if (owned.piece.is_full_circle()) continue;
         for (const Vec2& end : {owned.piece.a, owned.piece.b}) {
-            const bool known = std::any_of(corners.begin(), corners.end(), [&](const auto& c) { return length(c.first - end) <= tolerance; });
+            const bool known =
+                std::any_of(corners.begin(), corners.end(), [&](const auto& c) { return length(c.first - end) <= tolerance; });
             if (!known) corners.emplace_back(end, owned.origin);
         }
     }

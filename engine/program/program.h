@@ -68,7 +68,7 @@ struct Field {
     std::vector<double> params;
     std::vector<Solid> solids;
     std::vector<BoundaryPiece> pieces;
-    Bvh bvh;                           ///< over pieces (entry i < pieces.size()) and tree solids (entry - pieces.size() = index into tree_solids)
+    Bvh bvh;  ///< over pieces (entry i < pieces.size()) and tree solids (entry - pieces.size() = index into tree_solids)
     std::vector<int> tree_solids;      ///< solids that were not lowered
     double horizon = infinity;         ///< the least of the solids'
 };

@@ -260,7 +260,8 @@ void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf:
     const DrawnSolids drawn(mover.field, Box2::centred(mover.lever, mover.lever).grown(reach));
     std::vector<PacketSolid> all;
     for (int i = 0; i < static_cast<int>(mover.field.solids.size()); ++i)
-        if (mover.field.solids[static_cast<std::size_t>(i)].visible) all.push_back({i, drawn.by_boundary(i) ? drawn.outline(i).data() : nullptr});
+        if (mover.field.solids[static_cast<std::size_t>(i)].visible)
+            all.push_back({i, drawn.by_boundary(i) ? drawn.outline(i).data() : nullptr});
     const Materials materials(mover.field);
     std::array<float, leaf_tile * leaf_tile> x, y, d;
     std::array<int, leaf_tile * leaf_tile> winner;

@@ -119,7 +119,9 @@ private:
 
     /// Where the tangents meet, which is where a corner is, or next to it; else halfway.
     std::optional<ZeroPoint> point_between(const ZeroPoint& a, const ZeroPoint& b) {
-        const auto useful = [&](const std::optional<ZeroPoint>& found) { return found && is_between(a.at, found->at, b.at, 2 * farthest(a, b)); };
+        const auto useful = [&](const std::optional<ZeroPoint>& found) {
+            return found && is_between(a.at, found->at, b.at, 2 * farthest(a, b));
+        };
         const Vec2 chord = b.at - a.at, middle = 0.5 * (a.at + b.at);
         const double turn = cross(a.along, b.along);
         std::optional<ZeroPoint> found;

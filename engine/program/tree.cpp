@@ -157,7 +157,8 @@ void add_fold_weights(const Field& field, const Op& op, const Vec2& p, double sh
         weights.push_back(share * std::fabs(f.by_b));
     }
     for (int i = 0; i < op.child_count; ++i)
-        if (const double weight = weights[static_cast<std::size_t>(i)]; weight > 0) add_weights(field, child_of(field, op, i), p, weight, out);
+        if (const double weight = weights[static_cast<std::size_t>(i)]; weight > 0)
+            add_weights(field, child_of(field, op, i), p, weight, out);
 }
 
 Vec2 seen_in_nearest_image(const Field& field, const Op& op, const Vec2& p) {

@@ -69,9 +69,10 @@ void add_untouched_layers(const Program& program, const Scene& scene, Diagnostic
             std::vector<std::string> names;
             for (std::size_t i = 0; i < program.layers.size(); ++i)
                 if (solid.layers & (LayerMask{1} << i)) names.push_back(program.layers[i]);
-            out.push_back(diagnose(Code::untouched_layer, node->key,
-                                   fmt::format("no ball is ever on layer {}: nothing touches this {}", fmt::join(names, ", "), node->type->key()),
-                                   fmt::format("balls are on layer {}, where nodes are that name none", program.layers[0])));
+            out.push_back(
+                diagnose(Code::untouched_layer, node->key,
+                         fmt::format("no ball is ever on layer {}: nothing touches this {}", fmt::join(names, ", "), node->type->key()),
+                         fmt::format("balls are on layer {}, where nodes are that name none", program.layers[0])));
         }
     });
 }

@@ -43,8 +43,8 @@ struct NodeType {
     std::optional<int> find_field(std::string_view key) const;
 };
 
-/// Metres: a length is no longer than the one, and, where it must be above 0, no shorter than the other. Far beyond any table, and near enough
-/// for squares and quotients of lengths to keep their digits.
+/// Metres: a length is no longer than the one, and, where it must be above 0, no shorter than the other. Far beyond any table, and near
+/// enough for squares and quotients of lengths to keep their digits.
 inline constexpr double longest_length = 1e6, shortest_length = 1e-9;
 
 /// First reason why a value may not stand in this field (range, choice, NaN, kind), as "must be above 0 m", or nothing.

@@ -17,11 +17,21 @@ struct TableInfo {
 
     static constexpr auto describe() {
         using T = TableInfo;
-        return record<T>({.key = "table", .doc = "The table itself."},
-                         fields(field("name", &T::name, {.doc = "Title of the table."}),
-                                field("author", &T::author, {.doc = "Who made it."}),
-                                field("size", &T::size, {.unit = Unit::metre, .min = above(0), .max = to(100), .step = 0.01, .doc = "Width and height; the domain of a table that has no domain node."}),
-                                field("slope", &T::slope, {.unit = Unit::degree, .min = from(0), .max = to(90), .step = 0.1, .doc = "Inclination; gravity in the plane is 9.81 m/s^2 times its sine."})));
+        return record<T>(
+            {.key = "table", .doc = "The table itself."},
+            fields(field("name", &T::name, {.doc = "Title of the table."}), field("author", &T::author, {.doc = "Who made it."}),
+                   field("size", &T::size,
+                         {.unit = Unit::metre,
+                          .min = above(0),
+                          .max = to(100),
+                          .step = 0.01,
+                          .doc = "Width and height; the domain of a table that has no domain node."}),
+                   field("slope", &T::slope,
+                         {.unit = Unit::degree,
+                          .min = from(0),
+                          .max = to(90),
+                          .step = 0.1,
+                          .doc = "Inclination; gravity in the plane is 9.81 m/s^2 times its sine."})));
     }
 };
 
@@ -44,14 +54,22 @@ struct PhysicsSettings {
         using P = PhysicsSettings;
         return record<P>(
             {.key = "physics", .doc = "How the table is simulated."},
-            fields(field("step", &P::step, {.unit = Unit::second, .min = from(1e-6), .max = to(0.1), .step = 0.0001, .doc = "Length of a tick."}),
+            fields(field("step", &P::step,
+                         {.unit = Unit::second, .min = from(1e-6), .max = to(0.1), .step = 0.0001, .doc = "Length of a tick."}),
                    field("integrator", &P::integrator, {.doc = "symplectic_euler: straight within a tick. ballistic: exact parabolas."}),
                    field("contact", &P::contact, {.doc = "Contact model."}),
-                   field("ball_radius", &P::ball_radius, {.unit = Unit::metre, .min = above(0), .max = to(1), .step = 0.0005, .doc = "Radius of the balls."}),
+                   field("ball_radius", &P::ball_radius,
+                         {.unit = Unit::metre, .min = above(0), .max = to(1), .step = 0.0005, .doc = "Radius of the balls."}),
                    field("ball_mass", &P::ball_mass, {.unit = Unit::kilogram, .min = above(0), .step = 0.001, .doc = "Mass of the balls."}),
-                   field("ball_restitution", &P::ball_restitution, {.min = from(0), .max = to(1), .step = 0.01, .doc = "Coefficient of restitution between balls."}),
-                   field("tolerance", &P::tolerance, {.unit = Unit::metre, .min = above(0), .max = to(0.001), .doc = "Gap at which a ball counts as touching."}),
-                   field("rest_speed", &P::rest_speed, {.unit = Unit::metre_per_second, .min = from(0), .step = 0.001, .doc = "Impacts slower than this no longer bounce (unless restitution is 1)."})));
+                   field("ball_restitution", &P::ball_restitution,
+                         {.min = from(0), .max = to(1), .step = 0.01, .doc = "Coefficient of restitution between balls."}),
+                   field("tolerance", &P::tolerance,
+                         {.unit = Unit::metre, .min = above(0), .max = to(0.001), .doc = "Gap at which a ball counts as touching."}),
+                   field("rest_speed", &P::rest_speed,
+                         {.unit = Unit::metre_per_second,
+                          .min = from(0),
+                          .step = 0.001,
+                          .doc = "Impacts slower than this no longer bounce (unless restitution is 1)."})));
     }
 };
 
@@ -68,12 +86,25 @@ struct Material {
         using M = Material;
         return record<M>(
             {.key = "material", .doc = "How a surface answers a ball."},
-            fields(field("restitution", &M::restitution, {.min = from(0), .max = to(1), .step = 0.01, .doc = "Coefficient of restitution e0 of a slow impact."}),
-                   field("falloff", &M::falloff, {.unit = Unit::seconds_per_metre, .min = from(0), .step = 0.01, .doc = "e(v) = e0 / (1 + falloff v)."}),
-                   field("tangential", &M::tangential, {.min = from(-1), .max = to(1), .step = 0.01, .doc = "Tangential coefficient of restitution: 1 frictionless, 0 stops the slip, -1 reverses it."}),
-                   field("friction", &M::friction, {.min = from(0), .step = 0.01, .doc = "Coulomb coefficient that caps the tangential impulse."}),
-                   field("scatter", &M::scatter, {.unit = Unit::degree, .min = from(0), .max = to(45), .step = 0.5, .doc = "Largest random turn of the outgoing direction."}),
-                   field("color", &M::color, {.meaning = Meaning::color, .doc = "How it is drawn: a CSS name or a quoted #rgb or #rrggbb."})));
+            fields(
+                field("restitution", &M::restitution,
+                      {.min = from(0), .max = to(1), .step = 0.01, .doc = "Coefficient of restitution e0 of a slow impact."}),
+                field("falloff", &M::falloff,
+                      {.unit = Unit::seconds_per_metre, .min = from(0), .step = 0.01, .doc = "e(v) = e0 / (1 + falloff v)."}),
+                field("tangential", &M::tangential,
+                      {.min = from(-1),
+                       .max = to(1),
+                       .step = 0.01,
+                       .doc = "Tangential coefficient of restitution: 1 frictionless, 0 stops the slip, -1 reverses it."}),
+                field("friction", &M::friction,
+                      {.min = from(0), .step = 0.01, .doc = "Coulomb coefficient that caps the tangential impulse."}),
+                field("scatter", &M::scatter,
+                      {.unit = Unit::degree,
+                       .min = from(0),
+                       .max = to(45),
+                       .step = 0.5,
+                       .doc = "Largest random turn of the outgoing direction."}),
+                field("color", &M::color, {.meaning = Meaning::color, .doc = "How it is drawn: a CSS name or a quoted #rgb or #rrggbb."})));
     }
 };
 

@@ -4,8 +4,8 @@
 
 namespace pinfield::sdf {
 
-/// No two pieces meet but where one follows the other, to within 1e-10 of the outline's size, and no place is come by twice. About n log n for ordinary outlines, n^2 where most pieces
-/// overlap in x.
+/// No two pieces meet but where one follows the other, to within 1e-10 of the outline's size, and no place is come by twice. About n log n
+/// for ordinary outlines, n^2 where most pieces overlap in x.
 bool is_simple_outline(const Outline& outline);
 
 /// Area to the left of closed loops, right side counted negative, m^2.

@@ -93,7 +93,8 @@ TEST_CASE("a path names what has no id, and the winning leaf answers inside a di
 
 TEST_CASE("flippers and plungers stand at rest, sensors are no obstacle") {
     const std::vector<Row> rows = eval(
-        "scene:\n  - flipper: {id: bat, at: [0.3, 0.5], rest: -90, swing: 60}\n  - drain: {at: [0.7, 0.5], size: [0.1, 0.1]}\n  - spawn: {at: [0.7, 0.8]}\n",
+        "scene:\n  - flipper: {id: bat, at: [0.3, 0.5], rest: -90, swing: 60}\n  - drain: {at: [0.7, 0.5], size: [0.1, 0.1]}\n  - spawn: "
+        "{at: [0.7, 0.8]}\n",
         "0.3,0.6\n0.3,0.4\n0.7,0.5\n", "--shapes-only");
     CHECK(rows[0].distance == Approx(0.1 - 0.0116).epsilon(1e-12));
     CHECK(rows[0].node == "bat");
@@ -123,9 +124,11 @@ TEST_CASE("eval certifies a true distance and nothing else: of solids that overl
         {"within the bat and the box, where the way up is free", boxes + bat, "0.53,0.55", true},
         {"the bat alone", boxes + bat, "0.618,0.55", true},
         {"left of both, by the left box", boxes + bat, "0.1,0.5", true},
-        {"where a blend acts", "scene:\n  - smooth_union: {k: 50mm, children: [circle: {radius: 0.1, at: [0.4, 0.5]}, circle: {radius: 0.1, at: [0.6, 0.5]}]}\n",
+        {"where a blend acts",
+         "scene:\n  - smooth_union: {k: 50mm, children: [circle: {radius: 0.1, at: [0.4, 0.5]}, circle: {radius: 0.1, at: [0.6, 0.5]}]}\n",
          "0.5,0.8", false},
-        {"far from where a blend acts", "scene:\n  - smooth_union: {k: 10mm, children: [circle: {radius: 0.1, at: [0.4, 0.5]}, circle: {radius: 0.1, at: [0.6, 0.5]}]}\n",
+        {"far from where a blend acts",
+         "scene:\n  - smooth_union: {k: 10mm, children: [circle: {radius: 0.1, at: [0.4, 0.5]}, circle: {radius: 0.1, at: [0.6, 0.5]}]}\n",
          "0.2,0.5", true},
     };
     for (const Case& c : cases) {
@@ -158,7 +161,8 @@ TEST_CASE("a table of points must be one") {
         CHECK(outcome.exit == 3);
         CHECK_THAT(outcome.err, Catch::Contains("p.csv:"));
     }
-    const Outcome relaxed = run_pinfield("eval " + first_table + " --points " + scratch.write("p.csv", "\xEF\xBB\xBFx, y\r\n 0.2 , 0.3\r\n\r\n"));
+    const Outcome relaxed =
+        run_pinfield("eval " + first_table + " --points " + scratch.write("p.csv", "\xEF\xBB\xBFx, y\r\n 0.2 , 0.3\r\n\r\n"));
     CHECK(relaxed.exit == 0);
     CHECK(lines_of(relaxed.out).size() == 2);
 }

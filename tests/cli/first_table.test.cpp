@@ -45,8 +45,8 @@ TEST_CASE("a scripted minute on the first table is a game: launched, bumped, dra
 TEST_CASE("no ball leaves the first table or passes a wall, at any speed", "[slow]") {
     const Scratch scratch;
     const std::string beating = " --inputs " + beating_flippers(scratch, 2000);
-    for (const char* run : {"--speed 1 --balls 100 --seconds 2", "--speed 10 --balls 100 --seconds 2", "--speed 100 --balls 50 --seconds 0.5",
-                            "--speed 1000 --balls 20 --seconds 0.2"}) {
+    for (const char* run : {"--speed 1 --balls 100 --seconds 2", "--speed 10 --balls 100 --seconds 2",
+                            "--speed 100 --balls 50 --seconds 0.5", "--speed 1000 --balls 20 --seconds 0.2"}) {
         for (const char* bounce : {"", " --restitution 1"}) {
             for (const std::string& inputs : {std::string(), beating}) {
                 INFO(run << bounce << inputs);

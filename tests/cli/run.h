@@ -54,8 +54,8 @@ struct Outcome {
 inline Outcome run_pinfield(const std::string& arguments, const std::string& redirect = "") {
     const Scratch scratch;
     const std::string out = scratch / "out", err = scratch / "err";
-    const std::string command = std::string("cd ") + pinfield::test::source_dir() + " && " + pinfield::test::bin_dir() + "/pinfield " + arguments +
-                                " >" + (redirect.empty() ? out : redirect) + " 2>" + err + " </dev/null";
+    const std::string command = std::string("cd ") + pinfield::test::source_dir() + " && " + pinfield::test::bin_dir() + "/pinfield " +
+                                arguments + " >" + (redirect.empty() ? out : redirect) + " 2>" + err + " </dev/null";
     const int status = std::system(command.c_str());
     const int exit = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     return {exit, slurp(out), slurp(err)};

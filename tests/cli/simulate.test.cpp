@@ -152,7 +152,8 @@ TEST_CASE("no command writes over a file that it reads") {
         CHECK(slurp(csv) == points);
     }
     CHECK(run_pinfield("simulate " + table + " --seconds 0.01 --trace " + (scratch / "new.csv")).exit == 0);
-    CHECK(run_pinfield("simulate " + table + " --seconds 0.01 --trace " + (scratch / "one") + " --events " + (scratch / "./one")).exit == 2);
+    CHECK(run_pinfield("simulate " + table + " --seconds 0.01 --trace " + (scratch / "one") + " --events " + (scratch / "./one")).exit ==
+          2);
 }
 
 TEST_CASE("simulate --step and --integrator overrule the table") {

@@ -57,8 +57,9 @@ TEST_CASE("check says of every wrong table what and where, on stdout, with the s
 
 TEST_CASE("check warns with its place of a rounding of what is only a bound, and exits 0") {
     const Scratch scratch;
-    const std::string wedge =
-        scratch.write("wedge.yaml", "pinfield: 1\nscene:\n  - round: {radius: 5mm, children: [intersection: {id: wedge, children: [half_plane: {}, half_plane: {turn: 90}]}]}\n");
+    const std::string wedge = scratch.write("wedge.yaml",
+                                            "pinfield: 1\nscene:\n  - round: {radius: 5mm, children: [intersection: {id: wedge, children: "
+                                            "[half_plane: {}, half_plane: {turn: 90}]}]}\n");
     const Outcome outcome = run_pinfield("check " + wedge);
     CHECK(outcome.exit == 0);
     CHECK_THAT(outcome.out, Catch::Contains("wedge.yaml:3:5: warning: round ") && Catch::Contains("wedge is not the true one") &&
@@ -111,7 +112,8 @@ TEST_CASE("check --verbose tells each side by itself, and a boundary that is fit
     const std::vector<std::string> lines = lines_of(run_pinfield("check --verbose " + table).out);
     REQUIRE(lines.size() == 5);
     // The two discs' box is 200 mm by 100 mm and grows by k all round; a ten millionth of its length is 21 nm.
-    CHECK_THAT(lines[0], Catch::EndsWith("goo is bound outside, bound inside, L = 1, its boundary is fitted: right on both sides within 2e-08 m"));
+    CHECK_THAT(lines[0],
+               Catch::EndsWith("goo is bound outside, bound inside, L = 1, its boundary is fitted: right on both sides within 2e-08 m"));
     CHECK_THAT(lines[3], Catch::EndsWith("soft is exact outside, bound inside, L = 1, its boundary is known: exact on both sides"));
 
     const json notes = json::parse(run_pinfield("check --verbose --json " + table).out);
@@ -153,10 +155,11 @@ TEST_CASE("nodes lists every node, as JSON with the members it should have") {
             for (const char* key : {"key", "type", "unit", "default", "min", "min_open", "doc"}) CHECK(field.contains(key));
         keys.push_back(node["key"]);
     }
-    for (const char* key : {"circle", "box", "segment", "capsule", "uneven_capsule", "half_plane", "triangle", "polygon", "arc", "ellipse",
-                            "regular_polygon", "star", "union", "intersection", "difference", "xor", "complement", "smooth_union",
-                            "smooth_difference", "round", "onion", "mirror", "repeat_polar", "domain", "flipper", "bumper", "plunger", "drain",
-                            "spawn"})
+    for (const char* key :
+         {"circle",     "box",          "segment",           "capsule", "uneven_capsule", "half_plane",   "triangle",     "polygon",
+          "arc",        "ellipse",      "regular_polygon",   "star",    "union",          "intersection", "difference",   "xor",
+          "complement", "smooth_union", "smooth_difference", "round",   "onion",          "mirror",       "repeat_polar", "domain",
+          "flipper",    "bumper",       "plunger",           "drain",   "spawn"})
         CHECK(std::count(keys.begin(), keys.end(), key) == 1);
     const json circle = json::parse(run_pinfield("nodes circle --json").out);
     REQUIRE(circle.is_array());

@@ -93,7 +93,8 @@ const std::vector<PlantedFault>& planted_faults() {
         {"cross: stubby arms", "no side over-estimates", checked<CrossWithStubbyArms>},
         {"open curve: a sign of its own", "the field changes no faster than its Lipschitz constant", checked<OpenCurveWithASign>},
         {"triangle: corners in a line", "the field is not zero on an area", checked<TriangleOfOneLine>},
-        {"repetition: no neighbours asked", "the field changes no faster than its Lipschitz constant", checked<RepetitionWithoutNeighbours>},
+        {"repetition: no neighbours asked", "the field changes no faster than its Lipschitz constant",
+         checked<RepetitionWithoutNeighbours>},
         {"round union: both distances at once", "the gradient is within the Lipschitz constant", checked<RoundUnionBothSides>},
         {"intersection said exact outside", "exact sides are brute-force distances", checked<IntersectionSaidExact>},
     };

@@ -124,7 +124,9 @@ template <class Real>
 struct WrongLipschitz {
     Real distance(const Point<Real>& p) const { return norm(p) - Real(r); }
     Box2 bounds() const { return Box2::centred(r, r); }
-    static constexpr auto describe() { return shape<WrongLipschitz>({.key = "wrong_lipschitz", .exactness = {.lipschitz = 0.9}}, fields()); }
+    static constexpr auto describe() {
+        return shape<WrongLipschitz>({.key = "wrong_lipschitz", .exactness = {.lipschitz = 0.9}}, fields());
+    }
 };
 
 /// A square by the largest coordinate: a bound beyond the corners, but called exact.
@@ -166,7 +168,9 @@ struct UnionSaidExact {
         for (const Box2& child : children) out = out.merged(child);
         return out;
     }
-    static constexpr auto describe() { return operation<UnionSaidExact>({.key = "union_said_exact", .children = {1, any_number}}, fields()); }
+    static constexpr auto describe() {
+        return operation<UnionSaidExact>({.key = "union_said_exact", .children = {1, any_number}}, fields());
+    }
 };
 
 /// A blend that digs deeper than it says.
@@ -193,7 +197,8 @@ struct WrongPartials {
     static Exactness exactness(std::span<const Exactness>) { return {Side::bound, Side::bound}; }
     static Box2 bounds(std::span<const Box2>) { return Box2::everything(); }
     static constexpr auto describe() {
-        return operation<WrongPartials>({.key = "wrong_partials", .exactness = {Side::bound, Side::bound}, .children = {1, any_number}}, fields());
+        return operation<WrongPartials>({.key = "wrong_partials", .exactness = {Side::bound, Side::bound}, .children = {1, any_number}},
+                                        fields());
     }
 };
 
@@ -216,7 +221,8 @@ struct WarpPacketsOff {
     static Exactness exactness(std::span<const Exactness>) { return {Side::bound, Side::bound}; }
     static Box2 bounds(std::span<const Box2> children) { return children[0]; }
     static constexpr auto describe() {
-        return operation<WarpPacketsOff>({.key = "warp_packets_off", .exactness = {Side::bound, Side::bound}, .children = {1, 1}}, fields());
+        return operation<WarpPacketsOff>({.key = "warp_packets_off", .exactness = {Side::bound, Side::bound}, .children = {1, 1}},
+                                         fields());
     }
 };
 
@@ -268,8 +274,9 @@ struct FirstComesFirst {
     static Exactness exactness(std::span<const Exactness>) { return {Side::bound, Side::bound}; }
     static Box2 bounds(std::span<const Box2>) { return Box2::everything(); }
     static constexpr auto describe() {
-        return operation<FirstComesFirst>({.key = "first_comes_first", .exactness = {Side::bound, Side::bound}, .children = {1, any_number}},
-                                          fields(field("k", &FirstComesFirst::k, {.unit = Unit::metre, .min = above(0)})));
+        return operation<FirstComesFirst>(
+            {.key = "first_comes_first", .exactness = {Side::bound, Side::bound}, .children = {1, any_number}},
+            fields(field("k", &FirstComesFirst::k, {.unit = Unit::metre, .min = above(0)})));
     }
 };
 

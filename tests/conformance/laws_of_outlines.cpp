@@ -144,7 +144,9 @@ void gradient_on_the_outline_points_out(const Trial& trial) {
     const auto faces = [&](const Vec2& p, const Vec2& along) {
         const Vec2 right = -perpendicular(along) / length(along), gradient = trial.subject.sample(p).gradient;
         const bool is_thin = trial.subject.value(p - 1e-5 * trial.extent * right) >= 0;  // a collapsed triangle has no inside
-        if (!is_thin && !(dot(gradient, right) > 0.999)) trial.report(fmt::format("{} on the outline, which faces {}, {}: gradient {}, {}", at(p), right.x(), right.y(), gradient.x(), gradient.y()));
+        if (!is_thin && !(dot(gradient, right) > 0.999))
+            trial.report(fmt::format("{} on the outline, which faces {}, {}: gradient {}, {}", at(p), right.x(), right.y(), gradient.x(),
+                                     gradient.y()));
     };
     sdf::Outline pieces;
     if (trial.subject.kernels().outline) trial.subject.kernels().outline(trial.subject.params(), pieces);

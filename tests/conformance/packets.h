@@ -29,8 +29,8 @@ struct Floats3 {
     std::vector<float> x, y, lift;
 };
 Floats3 warp(const Subject& subject, sdf::Isa isa, const Floats& points);
-/// By how much the place where a packet sends p misses the warp's own, as the field sees it. Of two equal places of a lattice, on the border
-/// of its cells, either will do.
+/// By how much the place where a packet sends p misses the warp's own, as the field sees it. Of two equal places of a lattice, on the
+/// border of its cells, either will do.
 double missed_by(const Subject& subject, const Vec2& sent, const Vec2& p);
 
 }  // namespace pinfield::conformance

@@ -51,7 +51,8 @@ Value random_value(const FieldType& field, CounterRng& rng) {
         }
         case FieldKind::choices: {
             std::vector<std::string> out(static_cast<std::size_t>(rng.in(1, 5)));
-            for (std::string& word : out) word = field.choices[static_cast<std::size_t>(rng.in(0, static_cast<double>(field.choices.size())))];
+            for (std::string& word : out)
+                word = field.choices[static_cast<std::size_t>(rng.in(0, static_cast<double>(field.choices.size())))];
             return out;
         }
         default: return field.initial;

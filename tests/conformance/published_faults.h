@@ -60,8 +60,9 @@ struct EllipseOfEqualAxes {
     Box2 bounds() const { return Box2::everything(); }
     static constexpr auto describe() {
         using E = EllipseOfEqualAxes;
-        return shape<E>({.key = "ellipse_of_equal_axes", .exactness = only_bounds},
-                        fields(field("a", &E::a, {.unit = Unit::metre, .min = above(0)}), field("b", &E::b, {.unit = Unit::metre, .min = above(0)})));
+        return shape<E>(
+            {.key = "ellipse_of_equal_axes", .exactness = only_bounds},
+            fields(field("a", &E::a, {.unit = Unit::metre, .min = above(0)}), field("b", &E::b, {.unit = Unit::metre, .min = above(0)})));
     }
 };
 
@@ -73,7 +74,9 @@ struct EllipseByItsGradient {
         return k * (k - Real(1)) / max(slope, Real(1e-12));
     }
     Box2 bounds() const { return Box2::centred(0.04, 0.02); }
-    static constexpr auto describe() { return shape<EllipseByItsGradient>({.key = "ellipse_by_its_gradient", .exactness = only_bounds}, fields()); }
+    static constexpr auto describe() {
+        return shape<EllipseByItsGradient>({.key = "ellipse_by_its_gradient", .exactness = only_bounds}, fields());
+    }
 };
 
 /// A lens of two circles, told from its tips by a line that is right only for lenses longer than they are high.
@@ -83,7 +86,8 @@ struct LensHigherThanLong {
     Real distance(const Point<Real>& p) const {
         const Real x = abs(p.x), y = abs(p.y), radius = (half_length * half_length + half_height * half_height) / (Real(2) * half_height);
         const Real centre = radius - half_height;
-        return select((x - half_length) * centre > y * half_length, norm(Point<Real>{x - half_length, y}), norm(Point<Real>{x, y + centre}) - radius);
+        return select((x - half_length) * centre > y * half_length, norm(Point<Real>{x - half_length, y}),
+                      norm(Point<Real>{x, y + centre}) - radius);
     }
     Box2 bounds() const { return Box2::everything(); }
     static constexpr auto describe() {
@@ -107,7 +111,8 @@ struct BoxTooRound {
     static constexpr auto describe() {
         using B = BoxTooRound;
         return shape<B>({.key = "box_too_round", .exactness = only_bounds},
-                        fields(field("right", &B::right, {.unit = Unit::metre, .min = from(0)}), field("left", &B::left, {.unit = Unit::metre, .min = from(0)})));
+                        fields(field("right", &B::right, {.unit = Unit::metre, .min = from(0)}),
+                               field("left", &B::left, {.unit = Unit::metre, .min = from(0)})));
     }
 };
 
@@ -141,7 +146,9 @@ struct OpenCurveWithASign {
         return select(norm(p) < Real(0.03), -d, d);
     }
     Box2 bounds() const { return Box2::centred(0.03, 0.03); }
-    static constexpr auto describe() { return shape<OpenCurveWithASign>({.key = "open_curve_with_a_sign", .exactness = only_bounds}, fields()); }
+    static constexpr auto describe() {
+        return shape<OpenCurveWithASign>({.key = "open_curve_with_a_sign", .exactness = only_bounds}, fields());
+    }
 };
 
 /// A triangle by its edges' sides, whichever way round: zero everywhere once its corners are in line.
@@ -166,7 +173,8 @@ struct TriangleOfOneLine {
     static constexpr auto describe() {
         using T = TriangleOfOneLine;
         return shape<T>({.key = "triangle_of_one_line", .exactness = only_bounds},
-                        fields(field("a", &T::a, {.unit = Unit::metre}), field("b", &T::b, {.unit = Unit::metre}), field("c", &T::c, {.unit = Unit::metre})));
+                        fields(field("a", &T::a, {.unit = Unit::metre}), field("b", &T::b, {.unit = Unit::metre}),
+                               field("c", &T::c, {.unit = Unit::metre})));
     }
 };
 

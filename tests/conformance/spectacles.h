@@ -23,9 +23,10 @@ struct Spectacles {
     }
 
     static constexpr auto describe() {
-        return shape<Spectacles>({.key = "spectacles", .doc = "Two discs side by side."},
-                                 fields(field("radius", &Spectacles::radius, {.unit = Unit::metre, .min = above(0), .doc = "Of each disc."}),
-                                        field("gap", &Spectacles::gap, {.unit = Unit::metre, .min = from(0), .doc = "Between them."})));
+        return shape<Spectacles>(
+            {.key = "spectacles", .doc = "Two discs side by side."},
+            fields(field("radius", &Spectacles::radius, {.unit = Unit::metre, .min = above(0), .doc = "Of each disc."}),
+                   field("gap", &Spectacles::gap, {.unit = Unit::metre, .min = from(0), .doc = "Between them."})));
     }
 };
 

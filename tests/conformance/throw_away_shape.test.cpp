@@ -66,7 +66,9 @@ TEST_CASE("a shape that a program adds of its own is drawn, patched live and col
 
     Raster raster{64, 64, {{0, 0}, {0.2, 0.2}}, {}, {}};
     rasterize((*program)->fixed, ground_layer, sdf::best_isa(), raster);
-    const auto at = [&](double x, double y) { return raster.distance[static_cast<std::size_t>(64 * static_cast<int>(64 * (1 - y / 0.2)) + static_cast<int>(64 * x / 0.2))]; };
+    const auto at = [&](double x, double y) {
+        return raster.distance[static_cast<std::size_t>(64 * static_cast<int>(64 * (1 - y / 0.2)) + static_cast<int>(64 * x / 0.2))];
+    };
     CHECK(at(0.125, 0.1) < -0.015f);
     CHECK(at(0.101, 0.1) > 0.0f);
 

@@ -43,7 +43,9 @@ TEST_CASE("unsaved work is asked about before it would be lost") {
     const std::string mine = state.document.source().text();
     const std::string action = GENERATE("app.quit", "file.new", "file.open");
     const auto gone_on = [&] {
-        return action == "app.quit" ? state.quit : action == "file.new" ? state.document.path().empty() : state.dialog_action == "file.open";
+        return action == "app.quit"   ? state.quit
+               : action == "file.new" ? state.document.path().empty()
+                                      : state.dialog_action == "file.open";
     };
     run(state, action);
     REQUIRE(state.prompt);

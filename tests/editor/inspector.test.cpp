@@ -139,7 +139,8 @@ scene:
 TEST_CASE("the inspector has a row for every field of every kind of node") {
     std::string table = "pinfield: 1\nscene:\n";
     for (const NodeType& type : catalogue()->types())
-        if (type.meta.kind == NodeKind::shape && !std::any_of(type.fields.begin(), type.fields.end(), [](const FieldType& f) { return f.meta.required; }))
+        if (type.meta.kind == NodeKind::shape &&
+            !std::any_of(type.fields.begin(), type.fields.end(), [](const FieldType& f) { return f.meta.required; }))
             table += "  - " + std::string(type.key()) + ": {id: the_" + std::string(type.key()) + "}\n";
     Inspector inspector(catalogue(), table);
     int tried = 0;

@@ -34,7 +34,8 @@ inline std::vector<ScreenText> screen_texts() {
         const ImDrawList& list = *data.CmdLists[l];
         for (const ImDrawCmd& command : list.CmdBuffer) {
             for (unsigned i = 0; i + 5 < command.ElemCount; i += 3) {
-                const ImDrawVert& corner = list.VtxBuffer[static_cast<int>(command.VtxOffset + list.IdxBuffer[static_cast<int>(command.IdxOffset + i)])];
+                const ImDrawVert& corner =
+                    list.VtxBuffer[static_cast<int>(command.VtxOffset + list.IdxBuffer[static_cast<int>(command.IdxOffset + i)])];
                 const auto found = glyph_at.find({corner.uv.x, corner.uv.y});
                 if (found == glyph_at.end()) continue;
                 const auto& [glyph, font] = found->second;

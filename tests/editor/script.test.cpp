@@ -159,12 +159,14 @@ TEST_CASE("a step that fails says its number, its line and why, and nothing runs
     const auto [step, why] = GENERATE(
         Case{"{expect: {node: pop, field: radius, value: 25mm}}", "pop.radius is 24mm, not 25mm"},
         Case{"{expect: {node: pop, field: radius, value: 25mm, tolerance: 0.9mm}}", "pop.radius is 24mm, not 25mm"},
-        Case{"{expect: {node: pop, field: radius, value: soon}}", "soon"}, Case{"{expect: {node: pip, field: radius, value: 1}}", "no node pip"},
+        Case{"{expect: {node: pop, field: radius, value: soon}}", "soon"},
+        Case{"{expect: {node: pip, field: radius, value: 1}}", "no node pip"},
         Case{"{expect: {node: pop, field: width, value: 1}}", "no field width"},
         Case{"{expect: {node: editor, field: hits, value: '> 100'}}", "editor.hits is 0, not > 100"},
         Case{"{set: {node: pop, field: radius, value: -1}}", "above 0"}, Case{"{set: {node: pop, field: radius, value: 3deg}}", "3deg"},
-        Case{"{action: edit.redo}", "cannot be done now"}, Case{"{action: file.burn}", "no action file.burn"}, Case{"{select: nobody}", "no node nobody"},
-        Case{"{key: {press: Nonsense, ticks: 10}}", "no key Nonsense"}, Case{"{drag: {from: [0.25, 0.70], to: [9, 9]}}", "[9, 9] is not in the viewport"});
+        Case{"{action: edit.redo}", "cannot be done now"}, Case{"{action: file.burn}", "no action file.burn"},
+        Case{"{select: nobody}", "no node nobody"}, Case{"{key: {press: Nonsense, ticks: 10}}", "no key Nonsense"},
+        Case{"{drag: {from: [0.25, 0.70], to: [9, 9]}}", "[9, 9] is not in the viewport"});
     const Folder folder;
     AppState state = opened_state(folder);
     FakeWindow window(state);
@@ -190,7 +192,9 @@ TEST_CASE("the same script gives the same bits") {
         const Folder folder;
         AppState state = opened_state(folder);
         FakeWindow window(state);
-        CHECK(play(state, window, "- {drag: {from: [0.25, 0.70], to: [0.24, 0.65]}}\n- {key: {press: Z, ticks: 100}}\n- {wait: {ticks: 500}}\n").empty());
+        CHECK(play(state, window,
+                   "- {drag: {from: [0.25, 0.70], to: [0.24, 0.65]}}\n- {key: {press: Z, ticks: 100}}\n- {wait: {ticks: 500}}\n")
+                  .empty());
         return state.session.world().state_hash();
     };
     CHECK(hash() == hash());

@@ -19,7 +19,8 @@ std::vector<double> fingerprint(const Program& program) {
     const auto add_box = [&](const Box2& box) { out.insert(out.end(), {box.lo.x(), box.lo.y(), box.hi.x(), box.hi.y()}); };
     for (const Op& op : program.fixed.ops) {
         add_box(op.bounds);
-        out.insert(out.end(), {op.local_from_field.offset.x(), op.local_from_field.offset.y(), op.scale, double(op.material), double(op.origin.value)});
+        out.insert(out.end(), {op.local_from_field.offset.x(), op.local_from_field.offset.y(), op.scale, double(op.material),
+                               double(op.origin.value)});
     }
     for (const Solid& solid : program.fixed.solids) add_box(solid.bounds);
     for (const Mover& mover : program.movers) {
@@ -94,7 +95,9 @@ TEST_CASE("an edit that does not compile keeps the last good program running, an
 
 TEST_CASE("a doubt about what runs is told and stands where the text has it, and goes when it is mended") {
     const Folder folder;
-    AppState state = opened_state(folder, "pinfield: 1\nscene:\n  - round: {id: soft, radius: 5mm, children: [intersection: {children: [half_plane: {}, half_plane: {turn: 90}]}]}\n");
+    AppState state = opened_state(folder,
+                                  "pinfield: 1\nscene:\n  - round: {id: soft, radius: 5mm, children: [intersection: {children: "
+                                  "[half_plane: {}, half_plane: {turn: 90}]}]}\n");
     const auto told = [&] { return state.session.problems(); };
     REQUIRE(told().size() == 1);
     CHECK(told()[0].code == "W0503");

@@ -51,7 +51,8 @@ struct Outcome {
 
 Outcome run_editor(const Workplace& place, const std::string& arguments) {
     const fs::path log = place.in("log.txt");
-    const std::string command = "cd '" + place.folder.string() + "' && '" + pinfield::test::bin_dir() + "/pinfield-editor' " + arguments + " > '" + log.string() + "' 2>&1";
+    const std::string command = "cd '" + place.folder.string() + "' && '" + pinfield::test::bin_dir() + "/pinfield-editor' " + arguments +
+                                " > '" + log.string() + "' 2>&1";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(log)};
 }
@@ -121,7 +122,8 @@ TEST_CASE("a drag that is undone leaves nothing to save") {
 
 TEST_CASE("the same script leaves the same picture, whatever the clock says") {
     const Workplace place("same");
-    const std::string steps = "- {key: {press: Space, ticks: 700}}\n- {wait: {ticks: 1500}}\n- {action: view.isolines}\n- {screenshot: a.png}\n";
+    const std::string steps =
+        "- {key: {press: Space, ticks: 700}}\n- {wait: {ticks: 1500}}\n- {action: view.isolines}\n- {screenshot: a.png}\n";
     REQUIRE(run_script(place, steps).code == 0);
     const std::string first = read(place.in("a.png"));
     fs::remove(place.in("a.png"));

@@ -178,7 +178,8 @@ TEST_CASE("a blank left out after a dash or a colon is told of as that") {
 
 TEST_CASE("a list of words is read from a list or from a word alone, and each word must be one of them") {
     const auto pieces_of = [](const std::string& written) {
-        const ReadResult result = read("pinfield: 1\nscene:\n  - path: {points: [[0, 0], [1cm, 0], [1cm, 1cm]], pieces: " + written + "}\n");
+        const ReadResult result =
+            read("pinfield: 1\nscene:\n  - path: {points: [[0, 0], [1cm, 0], [1cm, 1cm]], pieces: " + written + "}\n");
         REQUIRE(result.ok());
         return result.scene.find("path[0]")->get<std::vector<std::string>>("pieces");
     };

@@ -16,7 +16,8 @@ std::string floor_of(const std::string& material) {
 /// A room under full gravity whose walls are of the given material.
 ProgramPtr hall(const std::string& material, const std::string& more_physics = "", double width = 10, double height = 10,
                 const std::string& slope = "90") {
-    std::string text = room(width, height, ", slope: " + slope, "physics: {integrator: ballistic" + more_physics + "}\n" + floor_of(material), "");
+    std::string text =
+        room(width, height, ", slope: " + slope, "physics: {integrator: ballistic" + more_physics + "}\n" + floor_of(material), "");
     text.insert(text.find("{id: air") + 1, "material: floor, ");
     return program_of(text);
 }
@@ -131,8 +132,9 @@ TEST_CASE("a rectangle billiard is the unfolded straight line") {
 // Equal masses: the components along the line of centres are exchanged for e = 1; (1 - e) and (1 + e) halves otherwise.
 TEST_CASE("two balls exchange momentum along the line of centres and keep what the law keeps") {
     for (const double e : {1.0, 0.8, 0.0}) {
-        const ProgramPtr program = program_of("pinfield: 1\ntable: {size: [4, 4], slope: 0}\nphysics: {integrator: ballistic, ball_restitution: " +
-                                              std::to_string(e) + "}\nscene: []\n");
+        const ProgramPtr program = program_of(
+            "pinfield: 1\ntable: {size: [4, 4], slope: 0}\nphysics: {integrator: ballistic, ball_restitution: " + std::to_string(e) +
+            "}\nscene: []\n");
         World world(program);
         world.add_ball({1.9, 2}, {1.5, 0});
         world.add_ball({2.1, 2.01}, {-0.5, -0.1});
@@ -155,7 +157,8 @@ TEST_CASE("two balls exchange momentum along the line of centres and keep what t
 }
 
 TEST_CASE("Newton's cradle passes the speed of the first ball to the last") {
-    const ProgramPtr program = program_of("pinfield: 1\ntable: {size: [4, 4], slope: 0}\nphysics: {integrator: ballistic, ball_restitution: 1}\nscene: []\n");
+    const ProgramPtr program =
+        program_of("pinfield: 1\ntable: {size: [4, 4], slope: 0}\nphysics: {integrator: ballistic, ball_restitution: 1}\nscene: []\n");
     World world(program);
     world.add_ball({1, 2}, {2, 0});
     for (int i = 0; i < 4; ++i) world.add_ball({1.5 + i * (2 * r + 1e-7), 2}, {0, 0});
@@ -166,8 +169,9 @@ TEST_CASE("Newton's cradle passes the speed of the first ball to the last") {
 
 TEST_CASE("a resting ball does not change a bit") {
     for (const std::string integrator : {"ballistic", "symplectic_euler"}) {
-        std::string text = room(1, 1, ", slope: 6.5", "physics: {integrator: " + integrator + "}\n",
-                                "  - box: {size: [0.3, 0.05], turn: -40, at: [0.33, 0.1]}\n  - box: {size: [0.3, 0.05], turn: 40, at: [0.57, 0.1]}\n");
+        std::string text =
+            room(1, 1, ", slope: 6.5", "physics: {integrator: " + integrator + "}\n",
+                 "  - box: {size: [0.3, 0.05], turn: -40, at: [0.33, 0.1]}\n  - box: {size: [0.3, 0.05], turn: 40, at: [0.57, 0.1]}\n");
         World world(program_of(text));
         world.add_ball({0.45, 0.5}, {0.1, 0});
         world.add_ball({0.9, 0.1}, {0, 0});
@@ -187,8 +191,10 @@ TEST_CASE("a resting ball does not change a bit") {
 }
 
 TEST_CASE("a ball slides along a hollow without burning its budget") {
-    const std::string text = "pinfield: 1\ntable: {size: [1, 1], slope: 0}\nphysics: {integrator: ballistic}\nmaterials: {default: {restitution: 0.3, friction: 0}}\nscene:\n"
-                             "  - domain: {id: air, children: [circle: {radius: 0.3, at: [0.5, 0.5]}]}\n";
+    const std::string text =
+        "pinfield: 1\ntable: {size: [1, 1], slope: 0}\nphysics: {integrator: ballistic}\nmaterials: {default: {restitution: 0.3, friction: "
+        "0}}\nscene:\n"
+        "  - domain: {id: air, children: [circle: {radius: 0.3, at: [0.5, 0.5]}]}\n";
     World world(program_of(text));
     world.add_ball({0.5 + 0.3 - r - 1e-7, 0.5}, {0, 2});
     for (int i = 0; i < 2000; ++i) world.step();

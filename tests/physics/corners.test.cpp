@@ -33,14 +33,18 @@ double farthest_apart(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
 TEST_CASE("a ball rolls round an intersected corner as round a box's") {
     const std::string box = "  - box: {size: [0.4, 0.4], at: [0.3, 0.3]}\n";
     const std::string of_boxes =
-        "  - intersection:\n      children:\n        - box: {size: [0.4, 0.8], at: [0.3, 0.4]}\n        - box: {size: [0.8, 0.4], at: [0.5, 0.3]}\n";
+        "  - intersection:\n      children:\n        - box: {size: [0.4, 0.8], at: [0.3, 0.4]}\n        - box: {size: [0.8, 0.4], at: "
+        "[0.5, 0.3]}\n";
     const std::string of_planes =
-        "  - intersection:\n      children:\n        - half_plane: {turn: 0, at: [0, 0.5]}\n        - half_plane: {turn: -90, at: [0.5, 0]}\n"
+        "  - intersection:\n      children:\n        - half_plane: {turn: 0, at: [0, 0.5]}\n        - half_plane: {turn: -90, at: [0.5, "
+        "0]}\n"
         "        - box: {size: [0.4, 0.4], at: [0.3, 0.3]}\n";
     const std::string quadrant =
-        "  - intersection:\n      children:\n        - half_plane: {turn: 0, at: [0, 0.5]}\n        - half_plane: {turn: -90, at: [0.5, 0]}\n";
+        "  - intersection:\n      children:\n        - half_plane: {turn: 0, at: [0, 0.5]}\n        - half_plane: {turn: -90, at: [0.5, "
+        "0]}\n";
     const std::string less_a_quadrant =
-        "  - difference:\n      children:\n        - box: {size: [0.8, 0.8], at: [0.5, 0.5]}\n        - box: {size: [0.4, 2], at: [0.7, 1]}\n"
+        "  - difference:\n      children:\n        - box: {size: [0.8, 0.8], at: [0.5, 0.5]}\n        - box: {size: [0.4, 2], at: [0.7, "
+        "1]}\n"
         "        - box: {size: [2, 0.4], at: [0.5, 0.7]}\n";
     for (const std::string integrator : {"ballistic", "symplectic_euler"}) {
         const std::vector<Vec2> exact = path_over(box, integrator);

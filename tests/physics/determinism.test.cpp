@@ -23,9 +23,12 @@ TEST_CASE("a snapshot plays on as the original does") {
 // Proves determinism only, never correctness: the number may change with every improvement, but not with the compiler.
 TEST_CASE("a scripted game has the same hash from every compiler at every level of optimisation") {
     const ProgramPtr program = program_of(
-        "pinfield: 1\ntable: {size: [0.5, 1], slope: 6.5}\ninputs: {left: [Z]}\nmaterials: {default: {restitution: 0.8, falloff: 0.3, tangential: 0.4, scatter: 3}}\n"
-        "scene:\n  - domain: {children: [box: {size: [0.5, 1], round: 40mm, at: [0.25, 0.5]}]}\n  - bumper: {at: [0.2, 0.7]}\n  - bumper: {at: [0.35, 0.6]}\n"
-        "  - flipper: {at: [0.2, 0.2], input: [left]}\n  - smooth_union: {k: 20mm, children: [circle: {radius: 20mm, at: [0.1, 0.4]}, circle: {radius: 15mm, at: [0.13, 0.43]}]}\n"
+        "pinfield: 1\ntable: {size: [0.5, 1], slope: 6.5}\ninputs: {left: [Z]}\nmaterials: {default: {restitution: 0.8, falloff: 0.3, "
+        "tangential: 0.4, scatter: 3}}\n"
+        "scene:\n  - domain: {children: [box: {size: [0.5, 1], round: 40mm, at: [0.25, 0.5]}]}\n  - bumper: {at: [0.2, 0.7]}\n  - bumper: "
+        "{at: [0.35, 0.6]}\n"
+        "  - flipper: {at: [0.2, 0.2], input: [left]}\n  - smooth_union: {k: 20mm, children: [circle: {radius: 20mm, at: [0.1, 0.4]}, "
+        "circle: {radius: 15mm, at: [0.13, 0.43]}]}\n"
         "  - ellipse: {radii: [40mm, 20mm], at: [0.4, 0.35]}\n");
     World world(program);
     for (int i = 0; i < 6; ++i) world.add_ball({0.1 + 0.05 * i, 0.85}, {0.3 * i - 0.7, 0.2});

@@ -10,7 +10,8 @@ namespace {
 constexpr double g = 9.81;
 
 ProgramPtr open_space(const std::string& integrator, const std::string& step = "1ms") {
-    return program_of("pinfield: 1\ntable: {size: [40, 40], slope: 90}\nphysics: {integrator: " + integrator + ", step: " + step + "}\nscene: []\n");
+    return program_of("pinfield: 1\ntable: {size: [40, 40], slope: 90}\nphysics: {integrator: " + integrator + ", step: " + step +
+                      "}\nscene: []\n");
 }
 
 /// Position after n ticks of a ball thrown from the middle.

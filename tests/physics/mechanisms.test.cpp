@@ -10,8 +10,10 @@ namespace {
 constexpr double r = 0.0135;
 
 ProgramPtr with_flipper(const std::string& fields, const std::string& more = "") {
-    return program_of("pinfield: 1\ntable: {size: [2, 2], slope: 0}\nphysics: {integrator: ballistic, step: 0.1ms}\ninputs: {left: [Z], plunge: [Space]}\n" +
-                      more + "scene:\n  - flipper: {id: f, at: [1, 1], input: [left]" + fields + "}\n");
+    return program_of(
+        "pinfield: 1\ntable: {size: [2, 2], slope: 0}\nphysics: {integrator: ballistic, step: 0.1ms}\ninputs: {left: [Z], plunge: "
+        "[Space]}\n" +
+        more + "scene:\n  - flipper: {id: f, at: [1, 1], input: [left]" + fields + "}\n");
 }
 
 /// Milliseconds until the flipper first stands at q.
@@ -73,7 +75,8 @@ TEST_CASE("a tapped flipper does not reach its end-stop") {
 
 // A heavy bat is a moving wall: v' = -e v + (1 + e) V with V = rate x lever at the contact.
 TEST_CASE("a ball leaves a heavy flipper as it leaves a wall that moves") {
-    const ProgramPtr program = with_flipper(", mass: 1e9, rest: 0, swing: 60, ramp: 0, strength: 100000", "materials: {default: {restitution: 0.7, friction: 0}}\n");
+    const ProgramPtr program = with_flipper(", mass: 1e9, rest: 0, swing: 60, ramp: 0, strength: 100000",
+                                            "materials: {default: {restitution: 0.7, friction: 0}}\n");
     World world(program);
     world.set_input(0, 1);
     world.add_ball({1.05, 1.05}, {0, -1});
@@ -91,7 +94,8 @@ TEST_CASE("a ball leaves a heavy flipper as it leaves a wall that moves") {
 
 // Angular momentum about the pivot: of the ball m x v, of the bat I rate, I = m L^2 / 3.
 TEST_CASE("a ball and a free flipper keep their angular momentum, and with e = 1 their energy") {
-    const ProgramPtr program = with_flipper(", strength: 0.001, rest: 0, swing: 90, end_torque: 0, return_ratio: 0", "materials: {default: {restitution: 1, friction: 0}}\n");
+    const ProgramPtr program = with_flipper(", strength: 0.001, rest: 0, swing: 90, end_torque: 0, return_ratio: 0",
+                                            "materials: {default: {restitution: 1, friction: 0}}\n");
     World world(program);
     world.add_ball({1.055, 0.95}, {0, 1.5});  // from below: pushes the bat off its lower stop
     const double inertia = 0.06 * 0.077 * 0.077 / 3, mass = 0.08;
@@ -113,7 +117,8 @@ TEST_CASE("a ball and a free flipper keep their angular momentum, and with e = 1
 
 TEST_CASE("a ball pinched between a flipper and a wall stops the flipper and is not entered") {
     const ProgramPtr program = program_of(
-        "pinfield: 1\ntable: {size: [2, 2], slope: 6.5}\ninputs: {left: [Z]}\nscene:\n  - flipper: {id: f, at: [1, 1], rest: -30, swing: 60, input: [left]}\n"
+        "pinfield: 1\ntable: {size: [2, 2], slope: 6.5}\ninputs: {left: [Z]}\nscene:\n  - flipper: {id: f, at: [1, 1], rest: -30, swing: "
+        "60, input: [left]}\n"
         "  - box: {size: [0.3, 0.1], at: [1.05, 1.075]}\n");
     World world(program);
     world.add_ball({1.05, 1.008}, {0, 0});
@@ -128,7 +133,8 @@ TEST_CASE("a ball pinched between a flipper and a wall stops the flipper and is 
 
 TEST_CASE("a plunger launches the ball that lies on it at the rod's speed, restitution included") {
     const ProgramPtr program = program_of(
-        "pinfield: 1\ntable: {size: [1, 2], slope: 6.5}\ninputs: {plunge: [Space]}\nmaterials: {default: {restitution: 0.25, friction: 0}}\nscene:\n"
+        "pinfield: 1\ntable: {size: [1, 2], slope: 6.5}\ninputs: {plunge: [Space]}\nmaterials: {default: {restitution: 0.25, friction: "
+        "0}}\nscene:\n"
         "  - plunger: {id: p, at: [0.5, 0.2], stroke: 40mm, speed: 3.5, pull_time: 0.5, input: [plunge]}\n"
         "  - box: {size: [0.02, 0.4], at: [0.476, 0.3]}\n  - box: {size: [0.02, 0.4], at: [0.524, 0.3]}\n");
     World world(program);
@@ -178,7 +184,8 @@ TEST_CASE("a rod that presses a ball against a ceiling stops, jams the ball once
 
 TEST_CASE("half the stroke gives half the speed") {
     const ProgramPtr program = program_of(
-        "pinfield: 1\ntable: {size: [1, 2], slope: 0}\ninputs: {plunge: [Space]}\nscene:\n  - plunger: {id: p, at: [0.5, 0.2], stroke: 40mm, speed: 3, pull_time: 0.5, input: [plunge]}\n");
+        "pinfield: 1\ntable: {size: [1, 2], slope: 0}\ninputs: {plunge: [Space]}\nscene:\n  - plunger: {id: p, at: [0.5, 0.2], stroke: "
+        "40mm, speed: 3, pull_time: 0.5, input: [plunge]}\n");
     World world(program);
     world.set_input(0, 1);
     for (int i = 0; i < 250; ++i) world.step();
@@ -190,7 +197,8 @@ TEST_CASE("half the stroke gives half the speed") {
 
 TEST_CASE("a bumper kicks above its threshold and not below") {
     const ProgramPtr program = program_of(
-        "pinfield: 1\ntable: {size: [1, 1], slope: 0}\nmaterials: {default: {restitution: 0.5, friction: 0}}\nscene:\n  - bumper: {id: b, at: [0.5, 0.5], radius: 24mm, kick: 0.8, threshold: 0.1}\n");
+        "pinfield: 1\ntable: {size: [1, 1], slope: 0}\nmaterials: {default: {restitution: 0.5, friction: 0}}\nscene:\n  - bumper: {id: b, "
+        "at: [0.5, 0.5], radius: 24mm, kick: 0.8, threshold: 0.1}\n");
     for (const double speed : {0.09, 0.5}) {
         World world(program);
         world.add_ball({0.5, 0.56}, {0, -speed});

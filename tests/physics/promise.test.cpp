@@ -163,7 +163,8 @@ TEST_CASE("a number that is no number takes its ball out of the game and says so
 }
 
 TEST_CASE("a drained ball leaves the game and can be put back") {
-    World world(program_of(room(1, 1, "", "", "  - drain: {id: d, at: [0.5, 0.05], size: [0.2, 20mm]}\n  - spawn: {id: s, at: [0.5, 0.3]}\n")));
+    World world(
+        program_of(room(1, 1, "", "", "  - drain: {id: d, at: [0.5, 0.05], size: [0.2, 20mm]}\n  - spawn: {id: s, at: [0.5, 0.3]}\n")));
     world.add_spawned_balls();
     bool drained = false;
     for (int i = 0; i < 3000 && !drained; ++i) {
@@ -190,8 +191,10 @@ TEST_CASE("balls are scattered over free space, and not into a drain") {
 }
 
 TEST_CASE("a ball is put back only when no mover stands where it starts") {
-    World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\ninputs: {left: [Z]}\nscene:\n  - flipper: {at: [0.5, 0.5], rest: -40, swing: 80, input: [left]}\n"
-                           "  - drain: {at: [0.9, 0.5], size: [0.05, 0.05]}\n"));
+    World world(
+        program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\ninputs: {left: [Z]}\nscene:\n  - flipper: {at: [0.5, 0.5], rest: -40, "
+                   "swing: 80, input: [left]}\n"
+                   "  - drain: {at: [0.9, 0.5], size: [0.05, 0.05]}\n"));
     const BallId ball = world.add_ball({0.55, 0.545}, {0, 0});  // where the raised bat stands
     world.set_ball(ball, {0.85, 0.5}, {1, 0});
     world.set_input(0, 1);

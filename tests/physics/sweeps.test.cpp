@@ -29,7 +29,8 @@ struct Both {
 };
 
 Both both(const std::string& node) {
-    const ProgramPtr lowered = program_of("pinfield: 1\ntable: {size: [4, 4]}\nscene:\n  - domain: {children: [box: {size: [4, 4]}]}\n" + node);
+    const ProgramPtr lowered =
+        program_of("pinfield: 1\ntable: {size: [4, 4]}\nscene:\n  - domain: {children: [box: {size: [4, 4]}]}\n" + node);
     auto tree = std::make_shared<Program>(*lowered);
     Field& field = tree->fixed;
     field.pieces.clear();
@@ -229,7 +230,8 @@ TEST_CASE("a sweep with remembered neighbours finds the same to the bit") {
     CounterRng rng(12);
     for (int i = 0; i < 40; ++i) {
         const std::string at = "at: [" + std::to_string(rng.in(0.2, 0.9)) + ", " + std::to_string(rng.in(0.2, 0.9)) + "]";
-        nodes += i % 2 ? "  - circle: {radius: 15mm, " + at + "}\n" : "  - box: {size: [30mm, 30mm], turn: " + std::to_string(i) + ", " + at + "}\n";
+        nodes += i % 2 ? "  - circle: {radius: 15mm, " + at + "}\n"
+                       : "  - box: {size: [30mm, 30mm], turn: " + std::to_string(i) + ", " + at + "}\n";
     }
     const ProgramPtr program = program_of(room(1, 1, "", "", nodes));
     const SweptField swept(program->fixed);

@@ -59,8 +59,11 @@ Item item_of(const Scene& scene, NodeId id) {
     if (item.kernels->images) item.images = item.kernels->images(item.block.data());
     for (const Similarity& image : item.images) item.back.push_back(image.inverse());
     for (const NodeId child : node.children) item.children.push_back(item_of(scene, child));
-    static const std::pair<std::string_view, Word> words[] = {
-        {"union", Word::unite}, {"intersection", Word::intersect}, {"xor", Word::exclude}, {"complement", Word::complement}, {"difference", Word::subtract}};
+    static const std::pair<std::string_view, Word> words[] = {{"union", Word::unite},
+                                                              {"intersection", Word::intersect},
+                                                              {"xor", Word::exclude},
+                                                              {"complement", Word::complement},
+                                                              {"difference", Word::subtract}};
     if (item.kernels->form == sdf::Form::images) item.word = Word::images;
     for (const auto& [key, word] : words)
         if (node.type->key() == key) item.word = word;
@@ -73,7 +76,8 @@ bool inside(const Item& item, const Vec2& p) {
     const Vec2 local = item.item_from_parent * p;
     if (item.word == Word::shape) return item.kernels->distance(item.block.data(), local.x(), local.y()) < 0;
     if (item.word == Word::images)
-        return std::any_of(item.back.begin(), item.back.end(), [&](const Similarity& back) { return inside(item.children[0], back * local); });
+        return std::any_of(item.back.begin(), item.back.end(),
+                           [&](const Similarity& back) { return inside(item.children[0], back * local); });
     std::size_t in = 0;
     for (const Item& child : item.children) in += inside(child, local);
     switch (item.word) {
@@ -133,7 +137,8 @@ struct Oracle {
             }
             const Vec2 along = curve.radius > 0 ? perpendicular(c - curve.at) : curve.along;
             const double angle = std::atan2(along.y(), along.x());
-            for (const double turned : {angle, angle > 0 ? angle - 3.14159265358979312 : angle + 3.14159265358979312}) star.angles.push_back(turned);
+            for (const double turned : {angle, angle > 0 ? angle - 3.14159265358979312 : angle + 3.14159265358979312})
+                star.angles.push_back(turned);
         }
         std::sort(star.angles.begin(), star.angles.end());
         return star;
@@ -195,7 +200,8 @@ struct Oracle {
             const double apart = length(b.at - a.at);
             if (apart < 1e-12) return;
             const Vec2 way = (b.at - a.at) / apart;
-            const double forward = 0.5 * (apart + (a.radius * a.radius - b.radius * b.radius) / apart), square = a.radius * a.radius - forward * forward;
+            const double forward = 0.5 * (apart + (a.radius * a.radius - b.radius * b.radius) / apart),
+                         square = a.radius * a.radius - forward * forward;
             if (square < -touching) return;
             const double half = square > touching ? std::sqrt(square) : 0;
             for (const double side : {-half, half}) corners.push_back(a.at + forward * way + side * perpendicular(way));
@@ -206,8 +212,10 @@ struct Oracle {
         for (std::size_t i = 0; i < curves.size(); ++i)
             for (std::size_t j = 0; j < i; ++j) meet(curves[i], curves[j]);
         std::erase_if(corners, [&](const Vec2& c) { return !c.allFinite() || !on_boundary(c); });
-        std::sort(corners.begin(), corners.end(), [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
-        corners.erase(std::unique(corners.begin(), corners.end(), [](const Vec2& a, const Vec2& b) { return length(a - b) < 1e-13; }), corners.end());
+        std::sort(corners.begin(), corners.end(),
+                  [](const Vec2& a, const Vec2& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
+        corners.erase(std::unique(corners.begin(), corners.end(), [](const Vec2& a, const Vec2& b) { return length(a - b) < 1e-13; }),
+                      corners.end());
     }
 
     /// Unsigned.
@@ -220,7 +228,8 @@ struct Oracle {
                 const Vec2 out = p - curve.at;
                 const double rho = length(out);
                 const Vec2 ray = rho > 0 ? Vec2(out / rho) : Vec2(1, 0);
-                if (curve.has(curve.at + curve.radius * ray)) candidates.emplace_back(std::fabs(rho - curve.radius), curve.at + curve.radius * ray);
+                if (curve.has(curve.at + curve.radius * ray))
+                    candidates.emplace_back(std::fabs(rho - curve.radius), curve.at + curve.radius * ray);
             } else {
                 const Vec2 foot = curve.at + dot(p - curve.at, curve.along) * curve.along;
                 if (curve.has(foot)) candidates.emplace_back(std::fabs(cross(p - curve.at, curve.along)), foot);
@@ -265,15 +274,16 @@ void judge_tree(std::uint64_t seed, bool snapped, int points, Tally& tally) {
         if (found.certified) tally.worst = std::max(tally.worst, std::fabs(size - truth));
         if (truth > 1e-9) tally.wrong_signs += (found.distance < 0) != inside(oracle.root, p);
         if (std::fabs(size - truth) > 1e-9 && found.certified)
-            FAIL_CHECK("seed " << seed << (snapped ? " snapped" : "") << " at " << p.transpose() << ": " << found.distance << " for " << truth);
+            FAIL_CHECK("seed " << seed << (snapped ? " snapped" : "") << " at " << p.transpose() << ": " << found.distance << " for "
+                               << truth);
     }
 }
 
 Tally judge(int trees, int points) {
     Tally tally;
     for (std::uint64_t seed = 1000; tally.trees < trees; ++seed) judge_tree(seed, seed % 2 == 0, points, tally);
-    UNSCOPED_INFO(tally.trees << " trees, " << tally.touching << " snapped, " << tally.lowered << " lowered, " << tally.points << " points, "
-                              << tally.certified << " certified, worst " << tally.worst << ", over " << tally.worst_over);
+    UNSCOPED_INFO(tally.trees << " trees, " << tally.touching << " snapped, " << tally.lowered << " lowered, " << tally.points
+                              << " points, " << tally.certified << " certified, worst " << tally.worst << ", over " << tally.worst_over);
     CHECK(tally.touching >= trees / 4);
     CHECK(tally.lowered == tally.trees);
     CHECK(tally.certified == tally.points);

@@ -22,10 +22,9 @@ inline bool same(const Op& a, const Op& b) {
            same(a.bounds, b.bounds) && a.exactness == b.exactness && a.origin == b.origin && a.material == b.material;
 }
 inline bool same(const Solid& a, const Solid& b) {
-    return a.root == b.root && same(a.bounds, b.bounds) && a.origin == b.origin && a.part == b.part &&
-           a.layers == b.layers && a.visible == b.visible && a.is_domain == b.is_domain && a.lowered == b.lowered && same(a.fit_error, b.fit_error) &&
-           same(a.horizon, b.horizon) && a.first_piece == b.first_piece &&
-           a.piece_count == b.piece_count;
+    return a.root == b.root && same(a.bounds, b.bounds) && a.origin == b.origin && a.part == b.part && a.layers == b.layers &&
+           a.visible == b.visible && a.is_domain == b.is_domain && a.lowered == b.lowered && same(a.fit_error, b.fit_error) &&
+           same(a.horizon, b.horizon) && a.first_piece == b.first_piece && a.piece_count == b.piece_count;
 }
 inline bool same(const BoundaryPiece& a, const BoundaryPiece& b) {
     const sdf::Piece &p = a.piece, &q = b.piece;

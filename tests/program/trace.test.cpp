@@ -68,7 +68,8 @@ TEST_CASE("distances to an ellipse are the true ones on both sides, through its 
     for (int i = 0; i < 300; ++i) {
         const double x = random.in(0.25, 0.55);
         const Vec2 p(x, random.in(0.4, 0.6));
-        const double truth = brute_distance(outline, p), found = nearest_of_solid(field, 0, p).distance, hit = nearest_outside(field, p, ground_layer, infinity).distance;
+        const double truth = brute_distance(outline, p), found = nearest_of_solid(field, 0, p).distance,
+                     hit = nearest_outside(field, p, ground_layer, infinity).distance;
         const double chord = 6.3 * a / 20000, error = chord * chord / std::max(truth, chord);  // of the brute force
         CHECK(std::fabs(std::fabs(found) - truth) < error + 1e-12);
         if (found > 0 && found < 0.2) CHECK(std::fabs(hit - found) < trace_tolerance * 2 * a);
@@ -145,7 +146,8 @@ TEST_CASE("identical, touching and overlapping ellipses unite, cut and exclude e
                 add(scene, "ellipse", both, {{"radii", Vec2(0.05, 0.02)}, {"at", Vec2(0.4 + apart, 0.5)}});
             });
             const Field& field = program->fixed;
-            const bool empty = (apart == 0 && (operation == "difference" || operation == "xor")) || (apart == 0.1 && operation == "intersection");
+            const bool empty =
+                (apart == 0 && (operation == "difference" || operation == "xor")) || (apart == 0.1 && operation == "intersection");
             if (empty) {
                 CHECK(nearest_of_solid(field, 0, {0.4, 0.5}).distance >= 0);
                 continue;
@@ -284,7 +286,8 @@ TEST_CASE("half planes are cut where they meet, exact up to a horizon and never 
         const double dx = reach * rng.in(-1, 1), dy = reach * rng.in(-1, 1);
         const double truth = dx > 0 && dy > 0 ? std::hypot(dx, dy) : std::max(dx, dy);
         const Vec2 p = corner + Vec2(dx, dy);
-        for (const Nearest& found : {nearest_of_solid(field, quadrant, p), truth > 0 ? nearest_outside(field, p, ground_layer, infinity) : nearest(field, p)}) {
+        for (const Nearest& found :
+             {nearest_of_solid(field, quadrant, p), truth > 0 ? nearest_outside(field, p, ground_layer, infinity) : nearest(field, p)}) {
             INFO(dx << ' ' << dy << " found " << found.distance << " truth " << truth);
             REQUIRE((found.distance < 0) == (truth < 0));
             REQUIRE(std::fabs(found.distance) <= std::fabs(truth) * (1 + 1e-12) + 1e-12);

@@ -11,7 +11,8 @@ TEST_CASE("a catalogue keeps its types in order, at addresses that further addit
     Catalogue catalogue;
     const NodeType* first = &catalogue.add(node_type<Basket<double>>());
     for (int i = 0; i < 100; ++i) {
-        static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMN";
+        static constexpr std::string_view letters =
+            "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMN";
         NodeType type = node_type<Basket<double>>();
         type.meta.key = letters.substr(static_cast<std::size_t>(i), 2);
         if (!catalogue.find(type.meta.key)) catalogue.add(std::move(type));

@@ -29,7 +29,8 @@ TEST_CASE("an erased description says of each field what the struct says") {
     CHECK(identical(type.fields[4].initial, std::string("pear")));
     CHECK(identical(type.fields[5].initial, std::vector<Vec2>{{1, 2}, {3, 4}, {5, 6}}));
     CHECK(identical(type.fields[8].initial, std::vector<std::string>{"plum", "apple"}));
-    for (const std::size_t i : {std::size_t{4}, std::size_t{8}}) CHECK(type.fields[i].choices == std::vector<std::string_view>{"apple", "pear", "plum"});
+    for (const std::size_t i : {std::size_t{4}, std::size_t{8}})
+        CHECK(type.fields[i].choices == std::vector<std::string_view>{"apple", "pear", "plum"});
     CHECK(type.fields[2].meta.unit == Unit::kilogram);
     CHECK(type.contracts.size() == 2);
 }

@@ -114,9 +114,9 @@ TEST_CASE("a wall along a path is the union of the walls along its pieces") {
         const std::vector<double> of_arc(xy.begin() + 8, xy.begin() + 14);
         for (const Vec2& p : points_within(0.2, 50)) {
             const Point<double> q{p.x(), p.y()};
-            const double wall = std::min({CubicBezier<double>{at(0), at(1), at(2), at(3), 0.01}.distance(q),
-                                          ready(Segment<double>{at(3), at(4), 0.01}).distance(q), path_of(of_arc, arcs, false, 0.01).distance(q),
-                                          QuadraticBezier<double>{at(6), at(7), at(8), 0.01}.distance(q)});
+            const double wall = std::min(
+                {CubicBezier<double>{at(0), at(1), at(2), at(3), 0.01}.distance(q), ready(Segment<double>{at(3), at(4), 0.01}).distance(q),
+                 path_of(of_arc, arcs, false, 0.01).distance(q), QuadraticBezier<double>{at(6), at(7), at(8), 0.01}.distance(q)});
             CHECK(path_of(xy, all_kinds, false, 0.01).distance(q) == Approx(wall).margin(1e-15));
         }
     }
@@ -129,7 +129,8 @@ TEST_CASE("an arc of a path is the arc through its three points") {
         const auto arc = ready(Arc<double>{radius, from, from + sweep, 0.004});
         const auto on_it = [&](double share) { return arc.point_at(from + share * sweep, radius); };
         const Vec2 a = on_it(0), middle = on_it(rng.in(0.05, 0.95)), b = on_it(1);
-        const std::vector<double> forth{a.x(), a.y(), middle.x(), middle.y(), b.x(), b.y()}, back{b.x(), b.y(), middle.x(), middle.y(), a.x(), a.y()};
+        const std::vector<double> forth{a.x(), a.y(), middle.x(), middle.y(), b.x(), b.y()},
+            back{b.x(), b.y(), middle.x(), middle.y(), a.x(), a.y()};
         for (const auto* xy : {&forth, &back}) {
             const auto path = path_of(*xy, arcs, false, 0.004);
             CHECK(is_accepted(path));
@@ -145,7 +146,8 @@ TEST_CASE("an arc of a path is the arc through its three points") {
 TEST_CASE("an arc of a path passes through its three points, however little of the circle it leaves open or takes") {
     CounterRng rng(35);
     for (int trial = 0; trial < 200; ++trial) {
-        const double radius = rng.in(0.01, 0.06), open = std::pow(10.0, rng.in(-12, -1)), start = rng.in(-3, 3), middle = start + rng.in(2, 4);
+        const double radius = rng.in(0.01, 0.06), open = std::pow(10.0, rng.in(-12, -1)), start = rng.in(-3, 3),
+                     middle = start + rng.in(2, 4);
         const auto on_circle = [&](double angle) { return Vec2(radius * std::cos(angle), radius * std::sin(angle)); };
         for (const auto& [a, m, b] : {std::tuple(on_circle(start), on_circle(middle), on_circle(start - open)),
                                       std::tuple(on_circle(start), on_circle(start + 0.4 * open), on_circle(start + open))}) {
@@ -192,8 +194,8 @@ TEST_CASE("paths of lines and arcs are the shapes they draw") {
     const Pieces rail{0, 1, 0};
     CHECK(path_of(hairpin, rail, false, 0.01).exactness() == Exactness{});
     CHECK(path_of(stadium, by_turns, false, 0.01).exactness() == Exactness{});  // and one that closes
-    for (const auto& path : {path_of(stadium, by_turns, true, 0), path_of(other_way, arc_first, true, 0), path_of(hairpin, rail, false, 0.01),
-                             path_of(stadium, by_turns, false, 0.01)})
+    for (const auto& path : {path_of(stadium, by_turns, true, 0), path_of(other_way, arc_first, true, 0),
+                             path_of(hairpin, rail, false, 0.01), path_of(stadium, by_turns, false, 0.01)})
         for (const Vec2& p : points_within(0.1)) CHECK(std::fabs(distance_to_boundary(path, p) - path.distance({p.x(), p.y()})) < 1e-15);
 }
 
@@ -209,7 +211,8 @@ TEST_CASE("the outline of a filled path of lines and arcs is as far as the path,
         if (outline.empty()) continue;
         ++drawn;
         double worst = 0;
-        for (const Vec2& p : points_within(0.2, 30)) worst = std::max(worst, std::fabs(distance_to_boundary(path, p) - path.distance({p.x(), p.y()})));
+        for (const Vec2& p : points_within(0.2, 30))
+            worst = std::max(worst, std::fabs(distance_to_boundary(path, p) - path.distance({p.x(), p.y()})));
         CHECK(worst < 1e-12);
     }
     CHECK(drawn > 30);

@@ -161,7 +161,8 @@ TEST_CASE("a full arc is a ring without seam, an arc of no length a disc") {
 }
 
 TEST_CASE("an arc is the disc of its width run along its middle line, also where it fills its own centre") {
-    for (const auto& [from_angle, to_angle, thickness] : {std::tuple(10.0, 80.0, 0.02), {-30.0, 200.0, 0.03}, {0.0, 340.0, 0.03}, {45.0, 135.0, 0.12}}) {
+    for (const auto& [from_angle, to_angle, thickness] :
+         {std::tuple(10.0, 80.0, 0.02), {-30.0, 200.0, 0.03}, {0.0, 340.0, 0.03}, {45.0, 135.0, 0.12}}) {
         const auto arc = ready(Arc<double>{.radius = 0.04, .from = from_angle, .to = to_angle, .thickness = thickness});
         for (const Vec2& p : points_within(0.15, 100)) {
             double nearest = infinity;

@@ -18,9 +18,14 @@ struct Bumper {
     static constexpr auto describe() {
         return part<Bumper>(
             {.key = "bumper", .children = {0, any_number}, .doc = "A post that kicks the ball away when it is hit."},
-            fields(field("radius", &Bumper::radius, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the customary disc; children replace it."}),
-                   field("kick", &Bumper::kick, {.unit = Unit::metre_per_second, .min = from(0), .max = to(20), .step = 0.05, .doc = "Speed added along the normal."}),
-                   field("threshold", &Bumper::threshold, {.unit = Unit::metre_per_second, .min = from(0), .step = 0.01, .doc = "Slowest impact that makes it kick."})));
+            fields(
+                field("radius", &Bumper::radius,
+                      {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the customary disc; children replace it."}),
+                field(
+                    "kick", &Bumper::kick,
+                    {.unit = Unit::metre_per_second, .min = from(0), .max = to(20), .step = 0.05, .doc = "Speed added along the normal."}),
+                field("threshold", &Bumper::threshold,
+                      {.unit = Unit::metre_per_second, .min = from(0), .step = 0.01, .doc = "Slowest impact that makes it kick."})));
     }
 };
 

@@ -9,7 +9,9 @@ struct Domain {
     static constexpr Role role = Role::boundary;
 
     static constexpr auto describe() {
-        return part<Domain>({.key = "domain", .children = {1, any_number}, .doc = "Where balls may be: the union of its children; everything outside is solid."},
+        return part<Domain>({.key = "domain",
+                             .children = {1, any_number},
+                             .doc = "Where balls may be: the union of its children; everything outside is solid."},
                             fields());
     }
 };

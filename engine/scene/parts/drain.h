@@ -15,7 +15,11 @@ struct Drain {
 
     static constexpr auto describe() {
         return part<Drain>({.key = "drain", .children = {0, any_number}, .doc = "Takes a ball out of play when its centre enters."},
-                           fields(field("size", &Drain::size, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Width and height of the customary box; children replace it."})));
+                           fields(field("size", &Drain::size,
+                                        {.unit = Unit::metre,
+                                         .min = above(0),
+                                         .step = 0.001,
+                                         .doc = "Width and height of the customary box; children replace it."})));
     }
 };
 

@@ -9,7 +9,8 @@ struct Group {
     static constexpr Role role = Role::group;
 
     static constexpr auto describe() {
-        return part<Group>({.key = "group", .children = {0, any_number}, .doc = "Scene nodes that are placed and named together."}, fields());
+        return part<Group>({.key = "group", .children = {0, any_number}, .doc = "Scene nodes that are placed and named together."},
+                           fields());
     }
 };
 

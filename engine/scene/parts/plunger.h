@@ -25,11 +25,22 @@ struct Plunger {
         using P = Plunger;
         return part<P>(
             {.key = "plunger", .children = {0, any_number}, .doc = "A rod along local +y that shoots the ball resting on its tip."},
-            fields(field("size", &P::size, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Width and length of the customary rod; its tip is at the local origin."}),
-                   field("stroke", &P::stroke, {.unit = Unit::metre, .min = above(0), .max = to(1), .step = 0.001, .doc = "How far it can be drawn back."}),
-                   field("speed", &P::speed, {.unit = Unit::metre_per_second, .min = above(0), .max = to(20), .step = 0.1, .doc = "Of the rod when it was drawn back fully; proportionally less before."}),
-                   field("pull_time", &P::pull_time, {.unit = Unit::second, .min = above(0), .step = 0.05, .doc = "To draw it back fully."}),
-                   field("input", &P::input, {.meaning = Meaning::input, .doc = "Inputs that draw it back."})));
+            fields(
+                field("size", &P::size,
+                      {.unit = Unit::metre,
+                       .min = above(0),
+                       .step = 0.001,
+                       .doc = "Width and length of the customary rod; its tip is at the local origin."}),
+                field("stroke", &P::stroke,
+                      {.unit = Unit::metre, .min = above(0), .max = to(1), .step = 0.001, .doc = "How far it can be drawn back."}),
+                field("speed", &P::speed,
+                      {.unit = Unit::metre_per_second,
+                       .min = above(0),
+                       .max = to(20),
+                       .step = 0.1,
+                       .doc = "Of the rod when it was drawn back fully; proportionally less before."}),
+                field("pull_time", &P::pull_time, {.unit = Unit::second, .min = above(0), .step = 0.05, .doc = "To draw it back fully."}),
+                field("input", &P::input, {.meaning = Meaning::input, .doc = "Inputs that draw it back."})));
     }
 };
 

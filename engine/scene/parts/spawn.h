@@ -12,7 +12,8 @@ struct Spawn {
 
     static constexpr auto describe() {
         return part<Spawn>({.key = "spawn", .doc = "A place where a ball starts, and where it comes back after a drain."},
-                           fields(field("velocity", &Spawn::velocity, {.unit = Unit::metre_per_second, .step = 0.05, .doc = "Of the ball at the start."})));
+                           fields(field("velocity", &Spawn::velocity,
+                                        {.unit = Unit::metre_per_second, .step = 0.05, .doc = "Of the ball at the start."})));
     }
 };
 

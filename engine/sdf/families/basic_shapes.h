@@ -1,4 +1,5 @@
-// Discs, boxes and walls: the shapes that most tables are made of. To add one: write its header, name it here, give it a scene in scenes/nodes/.
+// Discs, boxes and walls: the shapes that most tables are made of. To add one: write its header, name it here, give it a scene in
+// scenes/nodes/.
 #pragma once
 #include "engine/sdf/node_list.h"
 #include "engine/sdf/nodes/box.h"

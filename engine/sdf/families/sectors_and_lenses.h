@@ -1,4 +1,5 @@
-// Parts of discs and rings, and what two discs have in common or apart. To add one: write its header, name it here, give it a scene in scenes/nodes/.
+// Parts of discs and rings, and what two discs have in common or apart. To add one: write its header, name it here, give it a scene in
+// scenes/nodes/.
 #pragma once
 #include "engine/sdf/node_list.h"
 #include "engine/sdf/nodes/cut_disk.h"

@@ -98,18 +98,25 @@ struct Arc {
     }
 
     static constexpr auto describe() {
-        return shape<Arc>({.key = "arc", .doc = "Circular wall with round ends, counter-clockwise between two angles."},
-                          fields(field("radius", &Arc::radius,
-                                       {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the local origin to the middle of the wall."}),
-                                 field("from", &Arc::from,
-                                       {.unit = Unit::degree, .min = pinfield::from(-720), .max = pinfield::to(720), .step = 1, .doc = "Where the wall begins."}),
-                                 field("to", &Arc::to,
-                                       {.unit = Unit::degree, .min = pinfield::from(-720), .max = pinfield::to(720), .step = 1,
-                                        .doc = "Where it ends, counter-clockwise of the beginning."}),
-                                 field("thickness", &Arc::thickness,
-                                       {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})),
-                          contract("from <= to <= from + 360",
-                                   [](const auto& arc) { return arc.from <= arc.to && arc.to <= arc.from + 360; }));
+        return shape<Arc>(
+            {.key = "arc", .doc = "Circular wall with round ends, counter-clockwise between two angles."},
+            fields(field("radius", &Arc::radius,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "From the local origin to the middle of the wall."}),
+                   field("from", &Arc::from,
+                         {.unit = Unit::degree,
+                          .min = pinfield::from(-720),
+                          .max = pinfield::to(720),
+                          .step = 1,
+                          .doc = "Where the wall begins."}),
+                   field("to", &Arc::to,
+                         {.unit = Unit::degree,
+                          .min = pinfield::from(-720),
+                          .max = pinfield::to(720),
+                          .step = 1,
+                          .doc = "Where it ends, counter-clockwise of the beginning."}),
+                   field("thickness", &Arc::thickness,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})),
+            contract("from <= to <= from + 360", [](const auto& arc) { return arc.from <= arc.to && arc.to <= arc.from + 360; }));
     }
 };
 

@@ -26,11 +26,12 @@ struct Capsule {
     }
 
     static constexpr auto describe() {
-        return shape<Capsule>({.key = "capsule", .doc = "Bar along the local x axis with round ends, centred on the local origin."},
-                              fields(field("length", &Capsule::length,
-                                           {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Between the centres of the two ends."}),
-                                     field("radius", &Capsule::radius,
-                                           {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Of the ends: half the bar's width."})));
+        return shape<Capsule>(
+            {.key = "capsule", .doc = "Bar along the local x axis with round ends, centred on the local origin."},
+            fields(field("length", &Capsule::length,
+                         {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "Between the centres of the two ends."}),
+                   field("radius", &Capsule::radius,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Of the ends: half the bar's width."})));
     }
 };
 

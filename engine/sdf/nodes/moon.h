@@ -34,10 +34,14 @@ struct Moon {
     static constexpr auto describe() {
         return shape<Moon>(
             {.key = "moon", .doc = "Disc about the local origin with another disc taken out of it."},
-            fields(field("radius", &Moon::radius, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the disc."}),
-                   field("bite", &Moon::bite, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Radius of the disc taken out."}),
-                   field("offset", &Moon::offset,
-                         {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "From the disc's centre to that of the disc taken out, along +x."})),
+            fields(
+                field("radius", &Moon::radius, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the disc."}),
+                field("bite", &Moon::bite, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Radius of the disc taken out."}),
+                field("offset", &Moon::offset,
+                      {.unit = Unit::metre,
+                       .min = from(0),
+                       .step = 0.001,
+                       .doc = "From the disc's centre to that of the disc taken out, along +x."})),
             contract("something is left: bite < radius + offset", [](const auto& moon) { return moon.bite < moon.radius + moon.offset; }));
     }
 };

@@ -59,7 +59,8 @@ struct Path {
         const Real distance_to_edge = select(inside, -unsigned_distance, unsigned_distance);
         if constexpr (std::is_same_v<Plain, double> && !std::is_same_v<Real, double>) {
             const double close = 1e-9 * farthest_coordinate(q);
-            if (frozen(unsigned_distance) <= close) return gradient_across_edge(p, frozen(distance_to_edge), 100 * close) - thickness * Real(0.5);
+            if (frozen(unsigned_distance) <= close)
+                return gradient_across_edge(p, frozen(distance_to_edge), 100 * close) - thickness * Real(0.5);
         }
         return distance_to_edge - thickness * Real(0.5);
     }

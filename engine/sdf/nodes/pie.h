@@ -24,14 +24,16 @@ struct Pie {
     }
 
     static constexpr auto describe() {
-        return shape<Pie>({.key = "pie", .doc = "Sector of a disc about the local origin."},
-                          fields(field("radius", &Pie::radius, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the disc."}),
-                                 field("from", &Pie::from, {.unit = Unit::degree, .step = 1, .doc = "Direction of the first side, counter-clockwise from +x."}),
-                                 field("to", &Pie::to, {.unit = Unit::degree, .step = 1, .doc = "Direction of the second side."})),
-                          contract("from + 0.5 <= to <= from + 359.5, or to = from + 360", [](const auto& pie) {
-                              const auto apart = pie.to - pie.from;
-                              return (apart >= 0.5 && apart <= 359.5) || apart == 360;
-                          }));
+        return shape<Pie>(
+            {.key = "pie", .doc = "Sector of a disc about the local origin."},
+            fields(field("radius", &Pie::radius, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the disc."}),
+                   field("from", &Pie::from,
+                         {.unit = Unit::degree, .step = 1, .doc = "Direction of the first side, counter-clockwise from +x."}),
+                   field("to", &Pie::to, {.unit = Unit::degree, .step = 1, .doc = "Direction of the second side."})),
+            contract("from + 0.5 <= to <= from + 359.5, or to = from + 360", [](const auto& pie) {
+                const auto apart = pie.to - pie.from;
+                return (apart >= 0.5 && apart <= 359.5) || apart == 360;
+            }));
     }
 };
 

@@ -27,7 +27,8 @@ struct RegularPolygon {
         turn_sine = turn.sine;
     }
 
-    /// The whole first side, though the fold leaves half of it: its middle is then no end, about which the side would be a matter of rounding.
+    /// The whole first side, though the fold leaves half of it: its middle is then no end, about which the side would be a matter of
+    /// rounding.
     Real distance(const Point<Real>& p) const {
         const Point<Real> q = folded_into_sector(p, sides, turn_cosine, turn_sine);
         return signed_distance_to_edge(q, {radius, 0}, {radius * turn_cosine, radius * turn_sine});

@@ -36,16 +36,18 @@ struct Bend {
     }
 
     static constexpr auto describe() {
-        return operation<Bend>({.key = "bend",
-                                .exactness = {Side::bound, Side::bound},
-                                .float_error = 4e-6,
-                                .children = {1, 1},
-                                .doc = "The child's x axis bent into a parabola."},
-                               fields(field("sag", &Bend::sag,
-                                            {.unit = Unit::metre, .step = 0.001, .doc = "How much higher than its middle either end of the length comes to lie."}),
-                                      field("length", &Bend::length,
-                                            {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the part that bends."})),
-                               contract("the sag is at most the length", [](const auto& b) { return -b.length <= b.sag && b.sag <= b.length; }));
+        return operation<Bend>(
+            {.key = "bend",
+             .exactness = {Side::bound, Side::bound},
+             .float_error = 4e-6,
+             .children = {1, 1},
+             .doc = "The child's x axis bent into a parabola."},
+            fields(
+                field(
+                    "sag", &Bend::sag,
+                    {.unit = Unit::metre, .step = 0.001, .doc = "How much higher than its middle either end of the length comes to lie."}),
+                field("length", &Bend::length, {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Of the part that bends."})),
+            contract("the sag is at most the length", [](const auto& b) { return -b.length <= b.sag && b.sag <= b.length; }));
     }
 };
 

@@ -36,18 +36,18 @@ struct Displace {
 
     static constexpr auto describe() {
         using T = Displace;
-        return operation<T>({.key = "displace",
-                             .exactness = {Side::bound, Side::bound},
-                             .float_error = 1e-5,
-                             .children = {1, 1},
-                             .doc = "The child's outline moved in and out by waves."},
-                            fields(field("amplitude", &T::amplitude,
-                                         {.unit = Unit::metre, .min = from(0), .step = 0.0001, .doc = "How far the field is moved at most."}),
-                                   field("wavelength", &T::wavelength,
-                                         {.unit = Unit::metre, .min = from(0.005), .step = 0.001, .doc = "Of the waves along x and along y."})),
-                            contract("the waves are no higher than they are long", [](const auto& d) {
-                                return d.amplitude <= d.wavelength.x && d.amplitude <= d.wavelength.y;
-                            }));
+        return operation<T>(
+            {.key = "displace",
+             .exactness = {Side::bound, Side::bound},
+             .float_error = 1e-5,
+             .children = {1, 1},
+             .doc = "The child's outline moved in and out by waves."},
+            fields(field("amplitude", &T::amplitude,
+                         {.unit = Unit::metre, .min = from(0), .step = 0.0001, .doc = "How far the field is moved at most."}),
+                   field("wavelength", &T::wavelength,
+                         {.unit = Unit::metre, .min = from(0.005), .step = 0.001, .doc = "Of the waves along x and along y."})),
+            contract("the waves are no higher than they are long",
+                     [](const auto& d) { return d.amplitude <= d.wavelength.x && d.amplitude <= d.wavelength.y; }));
     }
 };
 

@@ -23,12 +23,12 @@ struct Lerp {
     static Box2 bounds(std::span<const Box2> children) { return union_of(children); }
 
     static constexpr auto describe() {
-        return operation<Lerp>({.key = "lerp",
-                                .exactness = {Side::bound, Side::bound},
-                                .children = {2, 2},
-                                .doc = "A figure on the way from the first child to the second."},
-                               fields(field("t", &Lerp::t,
-                                            {.min = from(0), .max = to(1), .step = 0.01, .doc = "0 gives the first child, 1 the second."})));
+        return operation<Lerp>(
+            {.key = "lerp",
+             .exactness = {Side::bound, Side::bound},
+             .children = {2, 2},
+             .doc = "A figure on the way from the first child to the second."},
+            fields(field("t", &Lerp::t, {.min = from(0), .max = to(1), .step = 0.01, .doc = "0 gives the first child, 1 the second."})));
     }
 };
 

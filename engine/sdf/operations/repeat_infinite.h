@@ -35,14 +35,17 @@ struct RepeatInfinite {
     static constexpr auto describe() {
         using T = RepeatInfinite;
         return operation<T>(
-            {.key = "repeat_infinite", .exactness = {.inside = Side::bound}, .float_error = 2e-6, .children = {1, 1},
+            {.key = "repeat_infinite",
+             .exactness = {.inside = Side::bound},
+             .float_error = 2e-6,
+             .children = {1, 1},
              .doc = "Copies of the child without end."},
-            fields(field("step", &T::step,
-                         {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "From one column, and one row, to the next; 0: only one."})),
+            fields(field(
+                "step", &T::step,
+                {.unit = Unit::metre, .min = from(0), .step = 0.001, .doc = "From one column, and one row, to the next; 0: only one."})),
             contract("a step along x or y", [](const auto& r) { return r.step.x > 0 || r.step.y > 0; }),
-            contract("no step below 0.1 mm but 0", [](const auto& r) {
-                return (r.step.x == 0 || r.step.x >= least_step) && (r.step.y == 0 || r.step.y >= least_step);
-            }));
+            contract("no step below 0.1 mm but 0",
+                     [](const auto& r) { return (r.step.x == 0 || r.step.x >= least_step) && (r.step.y == 0 || r.step.y >= least_step); }));
     }
 };
 

@@ -28,12 +28,13 @@ struct RepeatPolar {
     }
 
     static constexpr auto describe() {
-        return operation<RepeatPolar>({.key = "repeat_polar",
-                                       .exactness = {.inside = Side::bound},
-                                       .children = {1, 1},
-                                       .doc = "Copies of the child at equal angles about the local origin."},
-                                      fields(field("count", &RepeatPolar::count,
-                                                   {.min = from(1), .max = to(360), .step = 1, .doc = "How many, the child itself included."})));
+        return operation<RepeatPolar>(
+            {.key = "repeat_polar",
+             .exactness = {.inside = Side::bound},
+             .children = {1, 1},
+             .doc = "Copies of the child at equal angles about the local origin."},
+            fields(field("count", &RepeatPolar::count,
+                         {.min = from(1), .max = to(360), .step = 1, .doc = "How many, the child itself included."})));
     }
 };
 

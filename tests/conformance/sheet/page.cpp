@@ -34,8 +34,9 @@ std::string side_rows(const Entry& entry, std::string_view name, const std::vect
     std::string out;
     for (const SideMeasure& side : sides) {
         const double floor = floor_of(side.reference);
-        out += fmt::format("| {} | {} | {} | {} | {} | {} points in {} of {} trials |\n", name, word(side.claimed),
-                           at_most(side.over, floor), at_most(side.under, floor), text_of(side.reference), side.points, side.subjects, entry.measure.subjects);
+        out +=
+            fmt::format("| {} | {} | {} | {} | {} | {} points in {} of {} trials |\n", name, word(side.claimed), at_most(side.over, floor),
+                        at_most(side.under, floor), text_of(side.reference), side.points, side.subjects, entry.measure.subjects);
     }
     return out;
 }

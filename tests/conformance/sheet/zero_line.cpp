@@ -7,8 +7,9 @@
 namespace pinfield::conformance {
 namespace {
 
-/// A quadtree down to the leaves that the line crosses, and further where a needle passes between a leaf's corners, chords across these (Lorensen and Cline, "Marching cubes", 1987, in the
-/// plane), and each chord halved until its middle lies on the line: at a corner, where no chord fits, down to the tolerance.
+/// A quadtree down to the leaves that the line crosses, and further where a needle passes between a leaf's corners, chords across these
+/// (Lorensen and Cline, "Marching cubes", 1987, in the plane), and each chord halved until its middle lies on the line: at a corner, where
+/// no chord fits, down to the tolerance.
 class Tracer {
 public:
     Tracer(const std::function<double(const Vec2&)>& field, const ZeroLineOptions& options) : field_(field), options_(options) {}
@@ -32,7 +33,8 @@ private:
         for (const Vec2& corner : {Vec2(0, 0), Vec2(half, 0), Vec2(0, half), Vec2(half, half)}) cell(lo + corner, half);
     }
 
-    /// Does the way down the field from the cell's centre end on the line within the cell? Then the line is there, whatever its corners say.
+    /// Does the way down the field from the cell's centre end on the line within the cell? Then the line is there, whatever its corners
+    /// say.
     bool holds_a_foot(const Vec2& lo, double size) const {
         const Vec2 centre = lo + Vec2(0.5 * size, 0.5 * size), x(1e-3 * size, 0), y(0, 1e-3 * size);
         const Vec2 slope = Vec2(field_(centre + x) - field_(centre - x), field_(centre + y) - field_(centre - y)) / (2e-3 * size);
