@@ -134,6 +134,13 @@ void solid_is_on_the_left_of_its_outline(const Trial& trial) {
         const Vec2 left = step / length(chord) * perpendicular(chord);
         const double inside = trial.subject.value(p + left), outside = trial.subject.value(p - left);
         if (!(inside < 0 && outside > 0)) trial.report(fmt::format("{}: {} on the left, {} on the right", at(p), inside, outside));
+        // ... and no corner or centre either: where the distance is exact it is that step.
+        const double off = 1e-9 * trial.extent, nook = pieces[i].is_arc() ? std::min(room, pieces[i].radius) : room;
+        if (nook < 4 * step) continue;
+        if (trial.exactness.inside == Side::exact && !(std::fabs(inside + step) < off))
+            trial.report(fmt::format("{}: {} inside it, {}", at(p), step, inside));
+        if (trial.exactness.outside == Side::exact && !(std::fabs(outside - step) < off))
+            trial.report(fmt::format("{}: {} outside it, {}", at(p), step, outside));
     }
 }
 
