@@ -49,7 +49,7 @@ public:
 private:
     /// What is done with the values before: -1 inside, 1 outside.
     struct Step {
-        enum What : unsigned char { leaf, negate, unite, fold } what;
+        enum What : unsigned char { leaf, negate, unite, fold } what = leaf;
         int count = 0;  ///< of values that are united or folded
         const sdf::Kernels* kernels = nullptr;
         const double* params = nullptr;
