@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 #include <utility>
 
 #include "editor/starter_table.h"
@@ -183,8 +184,10 @@ DiskState Document::check_disk() {
     // A drag in progress goes first: it ends in a text, which is then compared.
     if (path_.empty() || previewing()) return DiskState::same;
     Result<std::string> text = read_file(path_);
-    if (!text) {  // programs that replace a file take it away for a moment
-        ++looks_in_vain_;
+    if (!text) {
+        std::error_code error;
+        if (std::filesystem::exists(path_, error)) return DiskState::same;  // there, only not to be read
+        ++looks_in_vain_;                                                   // programs that replace a file take it away for a moment
         return is_missing() ? DiskState::missing : DiskState::same;
     }
     looks_in_vain_ = 0;
@@ -220,6 +223,7 @@ Result<void> Document::reload() {
 /// Takes a sound text from the disk as a step of its own, so that undo gives the earlier text back.
 void Document::follow_disk(std::shared_ptr<const SourceText> source) {
     disk_text_ = source->text();
+    looks_in_vain_ = 0;
     broken_.reset();
     if (disk_text_ == source_->text()) return;
     Step step{"Reload", {}, {}, source_, source, std::make_shared<const Scene>(*scene_), {}};
