@@ -1,6 +1,7 @@
 #include "engine/sdf/simple_outline.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "engine/core/trig.h"
 #include "engine/sdf/meet.h"
@@ -18,7 +19,7 @@ struct Boxed {
 double area_beside_chord(const Piece& arc) {
     const Vec2 from = arc.a - arc.centre, to = arc.b - arc.centre;
     double sweep = arc.turn * arc_tangent(cross(from, to), dot(from, to));
-    if (sweep < 0 || arc.is_full_circle()) sweep += two_pi;
+    if (sweep < (arc.reflex ? half_pi : -half_pi)) sweep += two_pi;  // rounding may have it on the other side of 0 or of half a turn
     return 0.5 * arc.turn * arc.radius * arc.radius * (sweep - sine(sweep));
 }
 
