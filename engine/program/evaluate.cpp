@@ -1,9 +1,9 @@
 #include "engine/program/evaluate.h"
 
-#include "engine/sdf/piece_distance.h"
 #include "engine/program/trace.h"
 #include "engine/program/tree.h"
 #include "engine/program/zero_loops.h"
+#include "engine/sdf/piece_distance.h"
 
 namespace pinfield {
 namespace {

@@ -6,8 +6,8 @@
 #include "engine/program/arrangement.h"
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
-#include "engine/sdf/piece_distance.h"
 #include "engine/program/trace.h"
+#include "engine/sdf/piece_distance.h"
 
 namespace pinfield {
 namespace {

@@ -1,6 +1,7 @@
 #include "engine/sdf/path_outline.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/sdf/outline_path.h"
 

@@ -9,11 +9,13 @@
 
 namespace pinfield::sdf {
 
+/// At t from 0 to 1; no direction where the piece stands still.
 CurvePoint curve_point(const PieceView& piece, double t);
 /// An upper bound of the way gone in a unit of t.
 double top_speed_of(const PieceView& piece);
+/// Smallest box around a piece.
 Box2 bounds_of(const PieceView& piece);
-/// The first piece leaves where and as the second arrives, or rather runs on there: in one place is for the caller to see.
+/// Without a kink, of pieces the one of which begins where the other ends.
 bool joins_smoothly(const PieceView& arriving, const PieceView& leaving);
 
 /// The circle of an arc is at most 100 times as wide as its points are apart, or the arc at most half of it.

@@ -27,7 +27,6 @@ struct PieceView {
     PathPiece kind;
 
     bool is_arc() const { return kind == PathPiece::arc; }
-    bool is_line_or_arc() const { return kind == PathPiece::line || is_arc(); }
     Point<double> operator[](int i) const { return {xy[2 * i], xy[2 * i + 1]}; }
     Point<double> end() const { return (*this)[points_of(kind)]; }
     BezierView bezier() const { return {xy, points_of(kind)}; }

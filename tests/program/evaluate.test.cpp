@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "engine/core/trig.h"
-#include "engine/sdf/piece_distance.h"
 #include "engine/program/tree.h"
 #include "engine/scene/playfield.h"
+#include "engine/sdf/piece_distance.h"
 #include "tests/program/tables.h"
 
 using namespace pinfield;

@@ -5,9 +5,9 @@
 
 #include "engine/core/trig.h"
 #include "engine/program/evaluate.h"
-#include "engine/sdf/piece_distance.h"
 #include "engine/program/trace.h"
 #include "engine/program/tree.h"
+#include "engine/sdf/piece_distance.h"
 #include "tests/program/tables.h"
 
 using namespace pinfield;
