@@ -93,7 +93,7 @@ struct Kernels {
     double (*distance)(const double* params, double x, double y) = nullptr;
     Sample (*sample)(const double* params, double x, double y) = nullptr;
     Box2 (*bounds)(const double* params) = nullptr;
-    void (*outline)(const double* params, Outline& out) = nullptr;  ///< null: not made of lines and arcs
+    void (*outline)(const double* params, Outline& out) = nullptr;  ///< null: never of lines and arcs; may give none
     /// Points of the outline from the shape's parametric definition, for tests and for shapes without `outline`.
     void (*trace)(const double* params, int points, std::vector<Vec2>& out) = nullptr;
     bool convex = false;
