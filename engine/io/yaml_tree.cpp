@@ -19,6 +19,20 @@
 namespace pinfield {
 namespace {
 
+/// yaml-cpp writes the escapes \_ and \N as one byte, which is no UTF-8: here as the two that U+00A0 and U+0085 take. The source is UTF-8,
+/// so a byte like that where a character should begin comes from nowhere else.
+std::string in_utf8(const std::string& value) {
+    std::string out;
+    for (std::size_t i = 0; i < value.size();) {
+        const auto lead = static_cast<unsigned char>(value[i]);
+        const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : lead >= 0xC0 ? 2 : 1;
+        if (lead == 0xA0 || lead == 0x85) out += '\xC2';
+        out.append(value, i, length);
+        i += length;
+    }
+    return out;
+}
+
 /// Ends the parse after a finding that makes the rest meaningless; never leaves this file.
 struct Stop {};
 
@@ -123,7 +137,7 @@ public:
 
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string& value) override {
-        refuse_tag(mark, tag);
+        reject_tag(mark, tag);
         if (value.size() > limits_.scalar_bytes)
             stop(Code::scalar_too_long, at(mark),
                  fmt::format("a value of {} bytes; at most {} are read", value.size(), limits_.scalar_bytes));
@@ -136,20 +150,20 @@ public:
         const std::string_view written = text_.substr(begin, node.span.end - begin);
         const std::string_view inner =
             node.style == YamlStyle::plain || written.size() < 2 ? written : written.substr(1, written.size() - 2);
-        node.text = inner == value ? inner : tree_.texts.emplace_back(value);
+        node.text = inner == value ? inner : tree_.texts.emplace_back(in_utf8(value));
         attach(node);
     }
 
     void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                          YAML::EmitterStyle::value style) override {
-        refuse_tag(mark, tag);
+        reject_tag(mark, tag);
         open(YamlKind::sequence, mark, anchor, style == YAML::EmitterStyle::Flow ? YamlStyle::flow : YamlStyle::block);
     }
     void OnSequenceEnd() override { close(']'); }
 
     void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                     YAML::EmitterStyle::value style) override {
-        refuse_tag(mark, tag);
+        reject_tag(mark, tag);
         open(YamlKind::map, mark, anchor, style == YAML::EmitterStyle::Flow ? YamlStyle::flow : YamlStyle::block);
         keys_.emplace_back();
     }
@@ -224,13 +238,13 @@ private:
         const std::size_t begin = innermost_flow().value_or(place);
         if (const auto color = color_in_comment(text_, begin, text_.size()))
             return report(Code::comment_ate_value, *color, "this # begins a comment that swallows the rest of the line",
-                          "quote the colour: \"#7c5\"");
+                          "quote the color: \"#7c5\"");
         report(Code::yaml_syntax, begin,
                fmt::format("this {} is never closed", begin < text_.size() ? text_[begin] : '{'));
     }
 
     /// The parser gives "?" to plain and "!" to quoted scalars that carry no tag.
-    void refuse_tag(const YAML::Mark& mark, const std::string& tag) {
+    void reject_tag(const YAML::Mark& mark, const std::string& tag) {
         std::size_t begin = at(mark);
         if (begin < text_.size() && text_[begin] == '&') {  // an anchor may stand before a tag
             while (begin < text_.size() && text_[begin] != ' ' && text_[begin] != '\n') ++begin;

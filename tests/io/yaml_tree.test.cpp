@@ -46,6 +46,12 @@ TEST_CASE("a span holds exactly the bytes of the value as written") {
         }
 }
 
+TEST_CASE("every escape of a double-quoted text is the UTF-8 of its character") {
+    const Read read(R"(a: "\_\N\L\P\x85\u00e9\U0001F3B1 \\ \" \/ä")" "\n");
+    REQUIRE(read.tree.root);
+    CHECK(read.at("a").text == "\u00a0\xC2\x85\u2028\u2029\xC2\x85\u00e9\U0001F3B1 \\ \" /\u00e4");
+}
+
 TEST_CASE("a missing value has its place after the colon") {
     const Read read("a:   # c\nb: {c, d: }\n");
     CHECK(read.at("a").span == Span{2, 2});
