@@ -18,6 +18,7 @@ function(pinfield_layer name)
         target_link_libraries(${target}
             PUBLIC pinfield_options ${LAYER_USES} ${LAYER_LIBRARIES}
             PRIVATE pinfield_warnings ${LAYER_PRIVATE_LIBRARIES})
+        pinfield_precompiled(${target} engine)
     else()
         add_library(${target} INTERFACE)
         target_link_libraries(${target} INTERFACE pinfield_options ${LAYER_USES} ${LAYER_LIBRARIES})

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "editor/platform/keys.h"
+#include "engine/core/at.h"
+#include "engine/core/keys.h"
 #include "engine/io/png.h"
 
 namespace pinfield::editor {
@@ -199,7 +200,7 @@ void App::paint() {
 void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> places, const Canvas& canvas) {
     const double pixel = ui_.theme.scale;
     for (const Sensor& sensor : program->sensors) {
-        const NodeId node = program->parts[static_cast<std::size_t>(sensor.part)].origin;
+        const NodeId node = at(program->parts, sensor.part).origin;
         outline_painter_.draw(program, places, node, {palette::teal.rgb(), 0.45, 1.2 * pixel, 0.04, 0.10}, canvas);
     }
     if (ui_.hovered && ui_.hovered != state_.selection && !ui_.drag.active())

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/core/keys.h"
+
 namespace pinfield::editor {
 namespace {
 
@@ -32,7 +34,7 @@ void replace_document(AppState& state, Document document) {
 }
 
 bool open_now(AppState& state, const std::string& path) {
-    Result<Document> document = Document::open(path, state.catalogue);
+    Result<Document> document = Document::open(path, state.catalog);
     if (!document) return say(state, document.error().message, true), false;
     replace_document(state, std::move(*document));
     if (has_errors(state.document.diagnostics())) say(state, fmt::format("{} has problems", name_of(state.document)), true);
@@ -49,7 +51,7 @@ void ask_path(AppState& state, std::string action) {
 void go_on(AppState& state, const Prompt& prompt) {
     if (prompt.then_action == "app.quit") state.quit = true;
     else if (prompt.then_action == "file.new") {
-        replace_document(state, Document::untitled(state.catalogue));
+        replace_document(state, Document::untitled(state.catalog));
         say(state, "A new table");
     } else if (prompt.path.empty()) ask_path(state, "file.open");
     else open_now(state, prompt.path);
@@ -189,8 +191,8 @@ bool blocked(const AppState& state, std::string_view action) {
 
 }  // namespace
 
-AppState::AppState(std::shared_ptr<const Catalogue> catalogue_, Document document_)
-    : catalogue(std::move(catalogue_)), document(std::move(document_)), session(document) {
+AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
+    : catalog(std::move(catalog_)), document(std::move(document_)), session(document) {
     document.take_changes();
     run(*this, "view.all");
 }
@@ -236,9 +238,10 @@ void look_at_disk(AppState& state) {
 }
 
 bool press_key(AppState& state, std::string_view key, bool down) {
+    const int code = key_code(key);
     bool bound = false;
     for (const InputBinding& input : state.document.scene().inputs) {
-        if (std::find(input.keys.begin(), input.keys.end(), key) == input.keys.end()) continue;
+        if (std::none_of(input.keys.begin(), input.keys.end(), [&](const std::string& name) { return key_code(name) == code; })) continue;
         state.session.press(input.name, down);
         bound = true;
     }

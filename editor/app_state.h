@@ -20,9 +20,9 @@ struct Prompt {
 };
 
 struct AppState {
-    AppState(std::shared_ptr<const Catalogue> catalogue, Document document);
+    AppState(std::shared_ptr<const Catalog> catalog, Document document);
 
-    std::shared_ptr<const Catalogue> catalogue;
+    std::shared_ptr<const Catalog> catalog;
     Document document;
     Session session;
     View view;

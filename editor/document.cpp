@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "editor/starter_table.h"
+#include "engine/core/at.h"
 #include "engine/io/files.h"
 #include "engine/io/table_reader.h"
 #include "engine/io/text_patch.h"
@@ -18,25 +19,25 @@ namespace {
 bool same_field(const Edit& a, const Edit& b) { return a.node == b.node && a.field == b.field; }
 
 bool changes(const Scene& scene, const Edit& edit) {
-    const FieldSlot& slot = scene.find(edit.node)->fields[static_cast<std::size_t>(edit.field)];
-    return slot.given != edit.given || !identical(slot.value, edit.value);
+    const FieldSlot& slot = at(scene.find(edit.node)->fields, edit.field);
+    return slot.is_explicit != edit.is_explicit || !identical(slot.value, edit.value);
 }
 
 }  // namespace
 
-Document Document::untitled(std::shared_ptr<const Catalogue> catalogue) {
+Document Document::untitled(std::shared_ptr<const Catalog> catalog) {
     Document document;
-    document.catalogue_ = std::move(catalogue);
+    document.catalog_ = std::move(catalog);
     document.disk_text_ = starter_table;  // nobody's work is lost with it
     document.take_text(document.named(std::string(starter_table)), nullptr);
     return document;
 }
 
-Result<Document> Document::open(const std::string& path, std::shared_ptr<const Catalogue> catalogue) {
+Result<Document> Document::open(const std::string& path, std::shared_ptr<const Catalog> catalog) {
     Result<std::string> text = read_file(path);
     if (!text) return tl::unexpected(text.error());
     Document document;
-    document.catalogue_ = std::move(catalogue);
+    document.catalog_ = std::move(catalog);
     document.path_ = path;
     document.disk_text_ = *text;
     document.take_text(document.named(std::move(*text)), nullptr);
@@ -51,7 +52,7 @@ std::shared_ptr<const SourceText> Document::named(std::string text) const {
 
 /// Makes a text the document's own; nodes keep the ids they have in `ids_from`.
 void Document::take_text(std::shared_ptr<const SourceText> source, const Scene* ids_from) {
-    ReadResult reading = read_table(source, catalogue_);
+    ReadResult reading = read_table(source, catalog_);
     if (ids_from) reading.scene.keep_ids_of(*ids_from);
     source_ = std::move(source);
     scene_ = std::make_shared<Scene>(std::move(reading.scene));
@@ -59,7 +60,7 @@ void Document::take_text(std::shared_ptr<const SourceText> source, const Scene* 
 }
 
 std::optional<std::string> Document::preview(const Edit& edit) {
-    if (auto why = refuse(*scene_, edit)) return why;
+    if (auto why = why_invalid(*scene_, edit)) return why;
     if (!previewing()) before_preview_ = std::make_shared<Scene>(*scene_);
     apply(*scene_, edit);
     const auto known =
@@ -102,13 +103,13 @@ std::optional<std::string> Document::commit(const std::string& label) {
 
 /// Adds one edit to a step: its patch to the text and, read back from that, its outcome to the scene.
 std::optional<std::string> Document::write(const Edit& edit, Scene& scene, Step& step) const {
-    if (auto why = refuse(scene, edit)) return why;
+    if (auto why = why_invalid(scene, edit)) return why;
     const Result<TextPatch> patch = patch_for(*step.source_after, scene, edit);
     if (!patch) return patch.error().message;
     step.source_after = named(apply(*patch, step.source_after->text()));
     step.forward.push_back(edit);
     step.backward.insert(step.backward.begin(), apply(scene, edit));
-    ReadResult reading = read_table(step.source_after, catalogue_);  // the next patch needs the new places
+    ReadResult reading = read_table(step.source_after, catalog_);  // the next patch needs the new places
     reading.scene.keep_ids_of(scene);
     scene = std::move(reading.scene);
     return {};
@@ -198,7 +199,7 @@ DiskState Document::check_disk() {
     if (dirty()) return *text == source_->text() ? (disk_text_ = *text, DiskState::same) : DiskState::conflict;
     if (broken_ && broken_->text() == *text) return DiskState::broken;
     const auto source = named(std::move(*text));
-    ReadResult reading = read_table(source, catalogue_);
+    ReadResult reading = read_table(source, catalog_);
     if (has_errors(reading.diagnostics)) {
         broken_ = source;
         broken_diagnostics_ = std::move(reading.diagnostics);
@@ -214,7 +215,7 @@ Result<void> Document::reload() {
     Result<std::string> text = read_file(path_);
     if (!text) return tl::unexpected(text.error());
     const auto source = named(std::move(*text));
-    const ReadResult reading = read_table(source, catalogue_);
+    const ReadResult reading = read_table(source, catalog_);
     if (has_errors(reading.diagnostics)) return failure(format(reading.diagnostics.front(), *source));
     follow_disk(source);
     return {};

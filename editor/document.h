@@ -26,9 +26,9 @@ enum class DiskState : unsigned char { same, reloaded, broken, conflict, missing
 class Document {
 public:
     /// A new, unsaved table from a starter text.
-    static Document untitled(std::shared_ptr<const Catalogue> catalogue);
+    static Document untitled(std::shared_ptr<const Catalog> catalog);
     /// Fails when the file cannot be read. A file with errors opens: diagnostics() says what is wrong, scene() is what could be understood.
-    static Result<Document> open(const std::string& path, std::shared_ptr<const Catalogue> catalogue);
+    static Result<Document> open(const std::string& path, std::shared_ptr<const Catalog> catalog);
 
     const SourceText& source() const { return *source_; }
     const Scene& scene() const { return *scene_; }
@@ -91,7 +91,7 @@ private:
     std::optional<std::string> write(const Edit& edit, Scene& scene, Step& step) const;
     void push(Step step);
 
-    std::shared_ptr<const Catalogue> catalogue_;
+    std::shared_ptr<const Catalog> catalog_;
     std::shared_ptr<const SourceText> source_;
     std::shared_ptr<Scene> scene_;
     Diagnostics diagnostics_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/at.h"
 #include "engine/core/numbers.h"
 #include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
@@ -53,11 +54,11 @@ bool locked(const Scene& scene, const Node& node) {
     return node.get<bool>("locked") || (node.parent && locked(scene, *scene.find(node.parent)));
 }
 
-/// The value nearest to `target` on the way from `from` (which is valid) that refuse() lets pass, in whole steps.
+/// The value nearest to `target` on the way from `from` (which is valid) that why_invalid() lets pass, in whole steps.
 double last_valid(const Scene& scene, Edit edit, int component_index, double from, double target, double step) {
     const auto valid = [&](double x) {
         edit.value = with_component(edit.value, component_index, x);
-        return !refuse(scene, edit);
+        return !why_invalid(scene, edit);
     };
     if (valid(target)) return target;
     const double sign = target < from ? -1 : 1;
@@ -124,14 +125,14 @@ double component(const Value& value, int index) {
     if (const double* number = std::get_if<double>(&value)) return *number;
     if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
     if (const Vec2* pair = std::get_if<Vec2>(&value)) return (*pair)[index];
-    return std::get<std::vector<Vec2>>(value)[static_cast<std::size_t>(index / 2)][index % 2];
+    return at(std::get<std::vector<Vec2>>(value), index / 2)[index % 2];
 }
 
 Value with_component(Value value, int index, double x) {
     if (double* number = std::get_if<double>(&value)) *number = x;
     else if (auto* integer = std::get_if<std::int64_t>(&value)) *integer = static_cast<std::int64_t>(std::llround(x));
     else if (Vec2* pair = std::get_if<Vec2>(&value)) (*pair)[index] = x;
-    else std::get<std::vector<Vec2>>(value)[static_cast<std::size_t>(index / 2)][index % 2] = x;
+    else at(std::get<std::vector<Vec2>>(value), index / 2)[index % 2] = x;
     return value;
 }
 
@@ -146,7 +147,7 @@ double scrub_step(const FieldType& field, double value) {
 bool Scrub::begin(const Document& document, NodeId id, int field, int component_index) {
     const Node* node = document.scene().find(id);
     if (active() || !node) return false;
-    const Value& value = node->fields[static_cast<std::size_t>(field)].value;
+    const Value& value = at(node->fields, field).value;
     if (component_index < 0 || component_index >= component_count(value)) return false;
     node_ = id;
     field_ = field;
@@ -158,7 +159,7 @@ bool Scrub::begin(const Document& document, NodeId id, int field, int component_
 void Scrub::update(Document& document, double pixels, bool fine, bool coarse) {
     const Node* node = active() ? document.scene().find(node_) : nullptr;
     if (!node) return;
-    const FieldType& field = node->type->fields[static_cast<std::size_t>(field_)];
+    const FieldType& field = at(node->type->fields, field_);
     const double from = component(before_, component_);
     const bool integer = field.kind == FieldKind::integer;
     const double step = scrub_step(field, from) * (coarse ? 10 : fine && !integer ? 0.1 : 1);
@@ -195,7 +196,7 @@ Result<Value> value_of(const FieldType& field, std::string_view text) {
     scalar.text = written;
     scalar.span = {0, written.size()};
     if (list && !tree.root) return failure(tree.diagnostics.empty() ? "a value is due" : tree.diagnostics.front().message);
-    const Catalogue none;
+    const Catalog none;
     const Limits limits;
     Diagnostics diagnostics;
     ReadContext context{source, none, limits, diagnostics};
@@ -206,9 +207,9 @@ Result<Value> value_of(const FieldType& field, std::string_view text) {
 
 std::string text_of(const Document& document, NodeId id, int field) {
     const Node& node = *document.scene().find(id);
-    const FieldSlot& slot = node.fields[static_cast<std::size_t>(field)];
-    const FieldType& type = node.type->fields[static_cast<std::size_t>(field)];
-    const std::string_view written = slot.given ? document.source().slice(slot.where) : std::string_view();
+    const FieldSlot& slot = at(node.fields, field);
+    const FieldType& type = at(node.type->fields, field);
+    const std::string_view written = slot.is_explicit ? document.source().slice(slot.where) : std::string_view();
     const auto spell = [&](int i) { return write_quantity(component(slot.value, i), type.meta.unit, part_of(written, i)); };
     const auto spell_pair = [&](int i) { return fmt::format("[{}, {}]", spell(i), spell(i + 1)); };
     switch (type.kind) {
@@ -230,7 +231,7 @@ std::string text_of(const Document& document, NodeId id, int field) {
 std::optional<std::string> set_from_text(Document& document, NodeId id, int field, std::string_view text) {
     const Node* node = document.scene().find(id);
     if (!node) return "the node no longer exists";
-    const Result<Value> value = value_of(node->type->fields[static_cast<std::size_t>(field)], text);
+    const Result<Value> value = value_of(at(node->type->fields, field), text);
     if (!value) return value.error().message;
     return document.edit({id, field, *value, true}, change_label(document.scene(), id, field));
 }
@@ -238,7 +239,7 @@ std::optional<std::string> set_from_text(Document& document, NodeId id, int fiel
 std::string move_label(const Scene& scene, NodeId node) { return fmt::format("Move {}", scene.path(node)); }
 
 std::string change_label(const Scene& scene, NodeId node, int field) {
-    const std::string_view key = scene.find(node)->type->fields[static_cast<std::size_t>(field)].key;
+    const std::string_view key = at(scene.find(node)->type->fields, field).key;
     return fmt::format("Change {} of {}", key, scene.path(node));
 }
 

@@ -49,7 +49,7 @@ public:
     NodeId node() const { return node_; }
     int field() const { return field_; }
     bool begin(const Document& document, NodeId node, int field, int component = 0);
-    /// `pixels` since the begin; fine: a tenth, coarse: ten times. Never leaves what refuse() allows: it stops at the last
+    /// `pixels` since the begin; fine: a tenth, coarse: ten times. Never leaves what why_invalid() allows: it stops at the last
     /// value on the way that is valid.
     void update(Document& document, double pixels, bool fine = false, bool coarse = false);
     std::optional<std::string> end(Document& document);

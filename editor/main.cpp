@@ -41,11 +41,11 @@ bool read_size(const std::string& text, int& width, int& height) {
 }
 
 Result<AppState> first_state(const std::string& file) {
-    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
-    if (file.empty()) return AppState(catalogue, Document::untitled(catalogue));
-    Result<Document> document = Document::open(file, catalogue);
+    const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
+    if (file.empty()) return AppState(catalog, Document::untitled(catalog));
+    Result<Document> document = Document::open(file, catalog);
     if (!document) return tl::unexpected(document.error());
-    return AppState(catalogue, std::move(*document));
+    return AppState(catalog, std::move(*document));
 }
 
 /// The script ready to run; nothing, with all its errors told, when it is no script.

@@ -2,8 +2,11 @@
 #include <set>
 
 #include "editor/app_state.h"
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/evaluate.h"
+#include "engine/scene/parts/domain.h"
+#include "engine/scene/parts/spawn.h"
 
 namespace pinfield::editor {
 namespace {
@@ -40,7 +43,7 @@ void offer_solids(const AppState& state, const Field& field, const Vec2& p, doub
     for (std::size_t i = 0; i < field.solids.size(); ++i) {
         const Solid& solid = field.solids[i];
         const std::vector<Part>& parts = state.session.program().parts;
-        if (solid.part >= 0 && parts[static_cast<std::size_t>(solid.part)].is<parts::Domain>()) continue;
+        if (solid.part >= 0 && at(parts, solid.part).is<parts::Domain>()) continue;
         if (solid.bounds.distance(p) > slack || !is_free(state.document.scene(), solid.origin)) continue;
         const double distance = nearest_of_solid(field, static_cast<int>(i), p).distance;
         if (distance <= slack) best.offer(solid.origin, distance, area_of(solid.bounds));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "editor/edit_tools.h"
+#include "engine/core/at.h"
 #include "engine/core/numbers.h"
 #include "engine/io/quantity.h"
 
@@ -20,7 +21,7 @@ constexpr int drawn_frames = 2;  ///< until a picture shows what was done before
 
 std::string_view word_of(ScriptStep::Kind kind) {
     constexpr std::array<std::string_view, 8> words = {"action", "set", "drag", "key", "wait", "select", "screenshot", "expect"};
-    return words[static_cast<std::size_t>(kind)];
+    return at(words, kind);
 }
 
 struct Target {
@@ -93,7 +94,7 @@ std::optional<std::string> unmet(const ScriptStep& step, const AppState& state) 
     }
     const Target target = find_target(step, state);
     if (!target.why.empty()) return target.why;
-    const FieldType& field = target.node->type->fields[static_cast<std::size_t>(target.field)];
+    const FieldType& field = at(target.node->type->fields, target.field);
     const Result<Value> wanted = value_of(field, step.value);
     if (!wanted) return fmt::format("{}: {}", step.value, wanted.error().message);
     double tolerance = 0;
@@ -102,7 +103,7 @@ std::optional<std::string> unmet(const ScriptStep& step, const AppState& state) 
         if (!read) return fmt::format("tolerance: {}", read.error().message);
         tolerance = read->value;
     }
-    if (near(target.node->fields[static_cast<std::size_t>(target.field)].value, *wanted, tolerance)) return {};
+    if (near(at(target.node->fields, target.field).value, *wanted, tolerance)) return {};
     return fmt::format("{}.{} is {}, not {}", step.node, step.field, text_of(state.document, target.node->id, target.field), step.value);
 }
 

@@ -5,10 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/compile.h"
 #include "engine/program/patch.h"
-#include "engine/program/trust.h"
+#include "engine/program/distance_quality.h"
+#include "engine/scene/parts/bumper.h"
+#include "engine/scene/parts/spawn.h"
 
 namespace pinfield::editor {
 namespace {
@@ -17,7 +20,7 @@ constexpr double seconds_until_back = 1;
 
 /// For a table that does not compile when it is opened: its size and nothing on it.
 ProgramPtr empty_program(const Scene& scene) {
-    Scene empty(scene.shared_catalogue());
+    Scene empty(scene.shared_catalog());
     for (std::size_t i = 0; i < scene.table().fields.size(); ++i) empty.table().fields[i].value = scene.table().fields[i].value;
     if (auto program = compile(empty)) return *program;
     return std::make_shared<const Program>();
@@ -28,10 +31,10 @@ void note_bumper(const Field& field, const Solid& solid, NodeId bumper, std::map
     bumper_of[bumper] = bumper;
     std::vector<int> open{solid.root};
     while (!open.empty()) {
-        const Op& op = field.ops[static_cast<std::size_t>(open.back())];
+        const Op& op = at(field.ops, open.back());
         open.pop_back();
         bumper_of[op.origin] = bumper;
-        for (int i = 0; i < op.child_count; ++i) open.push_back(field.links[static_cast<std::size_t>(op.first_link + i)]);
+        for (int i = 0; i < op.child_count; ++i) open.push_back(at(field.links, op.first_link + i));
     }
 }
 
@@ -39,7 +42,7 @@ std::map<NodeId, NodeId> bumpers_of(const Program& program) {
     std::map<NodeId, NodeId> bumper_of;
     for (const Solid& solid : program.fixed.solids) {
         if (solid.part < 0) continue;
-        const Part& part = program.parts[static_cast<std::size_t>(solid.part)];
+        const Part& part = at(program.parts, solid.part);
         if (part.is<parts::Bumper>()) note_bumper(program.fixed, solid, part.origin, bumper_of);
     }
     return bumper_of;
@@ -92,13 +95,11 @@ void Session::set_slow_motion(int divisor) {
 void Session::follow(Document& document) {
     const std::vector<SceneChange> changes = document.take_changes();
     if (changes.empty()) return;
-    const SceneChange& first = changes.front();
-    const bool one_field = std::all_of(changes.begin(), changes.end(), [&](const SceneChange& change) {
-        return !change.everything && change.node == first.node && change.field == first.field;
-    });
-    if (one_field && !stale_) {
-        if (ProgramPtr patched = patch(program(), document.scene(), first.node, first.field))
-            return adopt(std::move(patched), document.scene());
+    std::vector<FieldChange> fields;
+    for (const SceneChange& change : changes)
+        if (!change.everything) fields.push_back({change.node, change.field});
+    if (fields.size() == changes.size() && !stale_) {
+        if (ProgramPtr patched = patch(program(), document.scene(), fields)) return adopt(std::move(patched), document.scene());
     }
     auto compiled = compile(document.scene());
     stale_ = !compiled;
@@ -184,8 +185,8 @@ int Session::hits_of(NodeId node) const {
 }
 
 Similarity Session::world_from_mover(int mover) const {
-    const Mover& shape = program().movers[static_cast<std::size_t>(mover)];
-    const MoverState& state = world_->movers()[static_cast<std::size_t>(mover)];
+    const Mover& shape = at(program().movers, mover);
+    const MoverState& state = at(world_->movers(), mover);
     if (!state.rotates) return {shape.cosine, shape.sine, 1, false, shape.pivot + state.q * state.axis};
     const SineCosine turn = sine_cosine(shape.handedness * state.q);
     return {turn.cosine * shape.cosine - turn.sine * shape.sine, turn.sine * shape.cosine + turn.cosine * shape.sine, 1, false,

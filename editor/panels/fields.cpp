@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/widgets/widgets.h"
+#include "engine/core/at.h"
 #include "engine/core/color.h"
 #include "engine/core/numbers.h"
 
@@ -20,8 +21,8 @@ struct Row {
     float width;  ///< of the control
 
     const Theme& theme() const { return ui.theme; }
-    const FieldType& field() const { return node.type->fields[static_cast<std::size_t>(index)]; }
-    const FieldSlot& slot() const { return node.fields[static_cast<std::size_t>(index)]; }
+    const FieldType& field() const { return at(node.type->fields, index); }
+    const FieldSlot& slot() const { return at(node.fields, index); }
     const Value& value() const { return slot().value; }
     void set(Value to) const {
         edit(state, {node.id, index, std::move(to)}, change_label(state.document.scene(), node.id, index));
@@ -150,7 +151,7 @@ void points_control(const Row& row) {
 }
 
 void boolean_control(const Row& row) {
-    // A switch: its knob's place tells the state without any colour.
+    // A switch: its knob's place tells the state without any color.
     const Theme& theme = row.theme();
     const bool on = std::get<bool>(row.value());
     const ImVec2 place = ImGui::GetCursorScreenPos();
@@ -286,9 +287,13 @@ void control(const Row& row) {
 
 /// "deg/s^2" as people write it.
 std::string written(std::string_view symbol) {
-    std::string text(symbol);
-    if (const std::size_t at = text.find("deg"); at != std::string::npos) text.replace(at, 3, "\u00b0");
-    if (const std::size_t at = text.find("^2"); at != std::string::npos) text.replace(at, 2, "\u00b2");
+    std::string text;
+    for (std::size_t i = 0; i < symbol.size();) {
+        const std::string_view rest = symbol.substr(i);
+        if (rest.starts_with("deg")) text += "\u00b0", i += 3;
+        else if (rest.starts_with("^2")) text += "\u00b2", i += 2;
+        else text += symbol[i++];
+    }
     return text;
 }
 
@@ -322,11 +327,11 @@ void field_row(AppState& state, Ui& ui, const Node& node, int field) {
 
     ImGui::InvisibleButton("label", {label_width - theme.px(6), ImGui::GetFrameHeight()});
     std::string doc(row.field().meta.doc);
-    if (!row.slot().given) doc += "\nNot in the file: this is the default.";
+    if (!row.slot().is_explicit) doc += "\nNot in the file: this is the default.";
     else doc += "\nRight-click to take it out of the file.";
     tooltip(theme, doc);
     if (ImGui::BeginPopupContextItem("label menu")) {
-        const bool can = row.slot().given && !row.field().meta.required;
+        const bool can = row.slot().is_explicit && !row.field().meta.required;
         if (ImGui::MenuItem("Back to the default", nullptr, false, can))
             edit(state, {node.id, field, row.field().initial, false}, change_label(state.document.scene(), node.id, field));
         if (ImGui::MenuItem("Type the value", nullptr)) begin_typing(row, row.field().kind == FieldKind::number ? 0 : -1);
@@ -334,7 +339,7 @@ void field_row(AppState& state, Ui& ui, const Node& node, int field) {
     }
     const std::string label = fitted(label_of(row.field().key), label_width - theme.px(8));
     ImGui::GetWindowDrawList()->AddText({place.x, place.y + 0.5f * (ImGui::GetFrameHeight() - ImGui::GetFontSize())},
-                                        ink(row.slot().given ? palette::text : palette::quiet), label.c_str());
+                                        ink(row.slot().is_explicit ? palette::text : palette::quiet), label.c_str());
     ImGui::SetCursorScreenPos({place.x + label_width, place.y});
     control(row);
     ImGui::PopID();

@@ -3,6 +3,7 @@
 
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/at.h"
 #include "engine/core/color.h"
 
 namespace pinfield::editor {
@@ -155,7 +156,7 @@ private:
     static bool flag(const Node& node, std::string_view key, bool otherwise) {
         const auto field = node.type->find_field(key);
         if (!field) return otherwise;
-        const bool* value = std::get_if<bool>(&node.fields[static_cast<std::size_t>(*field)].value);
+        const bool* value = std::get_if<bool>(&at(node.fields, *field).value);
         return value ? *value : otherwise;
     }
 

@@ -6,17 +6,17 @@
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
 #include "engine/core/numbers.h"
-#include "engine/program/trust.h"
+#include "engine/program/distance_quality.h"
 
 namespace pinfield::editor {
 
 namespace {
 
 /// What the node was compiled to, which knows its children and values; else, while it does not compile, what its type promises.
-std::optional<Trust> trust_shown(const AppState& state, const Node& node) {
-    if (const auto found = trust_of(state.session.program(), node.id)) return found;
+std::optional<DistanceQuality> quality_shown(const AppState& state, const Node& node) {
+    if (const auto found = distance_quality_of(state.session.program(), node.id)) return found;
     if (!node.type->kernels) return std::nullopt;
-    return Trust{node.type->meta.exactness, false};
+    return DistanceQuality{node.type->meta.exactness, false};
 }
 
 /// Puts the next badge beside the last one, or below it where the panel is too narrow.
@@ -25,7 +25,7 @@ void next_badge(const Theme& theme, std::string_view text) {
     if (ImGui::GetItemRectMax().x + gap + pill_width(theme, text) <= right) ImGui::SameLine(0, gap);
 }
 
-/// Words and filled or bare pills tell the sides apart, not colour alone.
+/// Words and filled or bare pills tell the sides apart, not color alone.
 void side_badge(const Theme& theme, const std::string& where, Side side) {
     const bool exact = side == Side::exact;
     pill(theme, (exact ? "exact " : "bound ") + where, exact ? palette::accent : palette::amber,
@@ -36,12 +36,12 @@ void side_badge(const Theme& theme, const std::string& where, Side side) {
 }
 
 void exactness_badges(const AppState& state, const Theme& theme, const Node& node) {
-    const std::optional<Trust> trust = trust_shown(state, node);
-    if (!trust) return;
-    const Exactness e = trust->exactness();
+    const std::optional<DistanceQuality> quality = quality_shown(state, node);
+    if (!quality) return;
+    const Exactness e = quality->exactness();
     ImGui::Dummy({0, theme.px(1)});
-    if (trust->fit_error > 0) {
-        const std::string within = "right to " + to_text(std::ceil(1e9 * trust->fit_error), 0) + " nm";
+    if (quality->fit_error > 0) {
+        const std::string within = "right to " + to_text(std::ceil(1e9 * quality->fit_error), 0) + " nm";
         pill(theme, within, palette::accent, PillStyle::bare);
         tooltip(theme, "The distance used is not exact, but off by at most that many millionths of a millimetre, on both sides.");
     } else if (e.outside == e.inside) {
@@ -51,11 +51,11 @@ void exactness_badges(const AppState& state, const Theme& theme, const Node& nod
         next_badge(theme, "bound inside");
         side_badge(theme, "inside", e.inside);
     }
-    if (trust->boundary_known) {
-        const char* word = trust->fit_error > 0 ? "boundary fitted" : "boundary known";
+    if (quality->boundary_known) {
+        const char* word = quality->fit_error > 0 ? "boundary fitted" : "boundary known";
         next_badge(theme, word);
         pill(theme, word, palette::quiet, PillStyle::filled);
-        tooltip(theme, trust->fit_error > 0
+        tooltip(theme, quality->fit_error > 0
                            ? "The boundary of this node was fitted with arcs when the table was compiled and is what the ball meets: its "
                              "distance is right on both sides, but for the error shown."
                            : "The boundary of this node was found when the table was compiled and is what the ball meets, so that its "
@@ -95,7 +95,7 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
 
 void field_rows(AppState& state, Ui& ui, const Node& node, bool common) {
     for (std::size_t i = 0; i < node.type->fields.size(); ++i)
-        if (node.type->fields[i].common == common && (node.has_use_for(i) || node.fields[i].given))
+        if (node.type->fields[i].common == common && (node.has_use_for(i) || node.fields[i].is_explicit))
             field_row(state, ui, node, static_cast<int>(i));
 }
 

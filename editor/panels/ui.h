@@ -59,7 +59,7 @@ inline void tell(AppState& state, const std::optional<std::string>& problem) {
     state.message_is_problem = true;
 }
 
-/// The picture and the colour for a node's kind; records by their key.
+/// The picture and the color for a node's kind; records by their key.
 Icon icon_of(const NodeType& type);
 Tint color_of(const NodeType& type);
 /// The author's id, else the type's word.

@@ -4,6 +4,7 @@
 #include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/at.h"
 
 namespace pinfield::editor {
 
@@ -75,7 +76,7 @@ void draw_marks(const AppState& state, const Ui& ui, ImDrawList& list) {
     const Theme& theme = ui.theme;
     const Program& program = state.session.program();
     for (const Part& part : program.parts) {
-        if (part.sensor >= 0 && !program.sensors[static_cast<std::size_t>(part.sensor)].field.solids.empty()) continue;
+        if (part.sensor >= 0 && !at(program.sensors, part.sensor).field.solids.empty()) continue;
         if (part.sensor < 0 && (part.solid >= 0 || part.mover >= 0)) continue;
         const ImVec2 c = im(state.view.pixel_from_world(part.world_from_part.offset));
         const auto r = static_cast<float>(program.physics.ball_radius * state.view.pixels_per_metre);

@@ -6,6 +6,14 @@
 #include <array>
 #include <utility>
 
+#include "engine/core/at.h"
+
+// The numbers of engine/core/keys.cpp, at the ends of each of GLFW's runs.
+static_assert(GLFW_KEY_SPACE == 32 && GLFW_KEY_GRAVE_ACCENT == 96 && GLFW_KEY_WORLD_2 == 162 && GLFW_KEY_ESCAPE == 256 &&
+              GLFW_KEY_END == 269);
+static_assert(GLFW_KEY_CAPS_LOCK == 280 && GLFW_KEY_PAUSE == 284 && GLFW_KEY_F1 == 290 && GLFW_KEY_F25 == 314);
+static_assert(GLFW_KEY_KP_0 == 320 && GLFW_KEY_KP_EQUAL == 336 && GLFW_KEY_LEFT_SHIFT == 340 && GLFW_KEY_MENU == 348);
+
 namespace pinfield {
 
 namespace {
@@ -145,7 +153,7 @@ void Window::set_title(const std::string& title) {
 void Window::set_cursor(CursorShape shape) {
     if (shape == cursor_) return;
     cursor_ = shape;
-    glfwSetCursor(window_, cursors_[static_cast<std::size_t>(shape)]);
+    glfwSetCursor(window_, at(cursors_, shape));
 }
 
 std::string Window::clipboard() const {

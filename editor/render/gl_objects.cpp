@@ -64,7 +64,7 @@ void ShaderProgram::set(const char* name, const Rgb& color, double alpha) const 
 }
 
 void ShaderProgram::set(const char* name, const std::vector<Rgb>& colors) const {
-    static_assert(sizeof(Rgb) == 3 * sizeof(float), "colours are handed over as packed floats");
+    static_assert(sizeof(Rgb) == 3 * sizeof(float), "colors are handed over as packed floats");
     gl_.Uniform3fv(place(name), static_cast<int>(colors.size()), &colors.data()->r);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "editor/render/shaders.h"
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 
 namespace pinfield {
@@ -12,7 +13,7 @@ namespace {
 /// The op that stands for a node: the last one compiled from it, for its tree is post-order. -1: none.
 int op_of(const Field& field, NodeId node) {
     for (int i = static_cast<int>(field.ops.size()) - 1; i >= 0; --i)
-        if (field.ops[static_cast<std::size_t>(i)].origin == node) return i;
+        if (at(field.ops, i).origin == node) return i;
     return -1;
 }
 
@@ -35,7 +36,7 @@ void OutlinePainter::add_picture(std::vector<Picture>& out, const Field& field, 
     const int op = op_of(field, node);
     if (op < 0) return;
     const double margin = margin_pixels / canvas.pixels_per_metre;
-    Box2 window = field.ops[static_cast<std::size_t>(op)].bounds.grown(margin);
+    Box2 window = at(field.ops, op).bounds.grown(margin);
     if (mover < 0) window = window.intersected(canvas.world().grown(margin));
     if (window.is_empty() || !window.is_finite()) return;
 
@@ -100,19 +101,6 @@ bool OutlinePainter::draw(const ProgramPtr& program, std::span<const MoverPlace>
         quads_.draw();
     }
     return !pictures.empty();
-}
-
-Box2 world_bounds(const Program& program, std::span<const MoverPlace> places, NodeId node) {
-    Box2 out = Box2::empty();
-    for_fields(program, [&](const Field& field, int mover) {
-        const int op = op_of(field, node);
-        if (op < 0) return;
-        const Box2& box = field.ops[static_cast<std::size_t>(op)].bounds;
-        const auto index = static_cast<std::size_t>(std::max(mover, 0));
-        if (mover < 0) out = out.merged(box);
-        else if (index < places.size()) out = out.merged(places[index].world_from_mover * box);
-    });
-    return out;
 }
 
 }  // namespace pinfield

@@ -45,7 +45,4 @@ private:
     std::map<NodeId, std::vector<Picture>> pictures_;  ///< for this program and canvas
 };
 
-/// Bounds in the world of all that was compiled from a node: empty when there is nothing, possibly infinite.
-Box2 world_bounds(const Program& program, std::span<const MoverPlace> places, NodeId node);
-
 }  // namespace pinfield

@@ -20,7 +20,7 @@ void main() {
 }
 )";
 
-/// The static field and the movers. A colour is looked up by material; light comes from the upper left and its shadow is
+/// The static field and the movers. A color is looked up by material; light comes from the upper left and its shadow is
 /// read from the distance field itself, a step towards the light.
 inline constexpr const char* field_fragment = R"(
 in vec2 at;

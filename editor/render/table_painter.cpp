@@ -27,7 +27,7 @@ bool same_view(const Canvas& a, const Canvas& b) {
 Box2 mover_window(const Mover& mover) {
     Box2 box = Box2::empty();
     for (const Solid& solid : mover.field.solids) box = box.merged(solid.bounds);
-    const double most = 2 * std::max(mover.lever, 0.05);
+    const double most = 2 * std::max(mover.bounding_radius, 0.05);
     return box.intersected(Box2::centred(most, most)).grown(0.016);
 }
 

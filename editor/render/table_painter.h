@@ -1,4 +1,4 @@
-// Draws a running table: the Program's own raster coloured by a shader, the movers at their places, the balls.
+// Draws a running table: the Program's own raster colored by a shader, the movers at their places, the balls.
 #pragma once
 #include <map>
 #include <memory>

@@ -106,7 +106,7 @@ Theme make_theme(float scale, float font_size) {
 }
 
 std::vector<Rgb> material_colors(const Program& program) {
-    // The default material is the table's own body, dark and calm; unnamed colours after it stay apart in lightness too.
+    // The default material is the table's own body, dark and calm; unnamed colors after it stay apart in lightness too.
     static constexpr std::array<unsigned, 7> usual = {0x39424f, 0x8fa3b8, 0xd9a441, 0x5b8fb9, 0xc9c2b2, 0x7a6a9a, 0x4f9d90};
     std::vector<Rgb> colors;
     for (std::size_t i = 0; i < program.materials.size(); ++i) {

@@ -7,7 +7,7 @@
 
 namespace pinfield::editor {
 
-/// A colour that can be a constant, which ImVec4 cannot.
+/// A color that can be a constant, which ImVec4 cannot.
 struct Tint {
     float r = 0, g = 0, b = 0, a = 1;
     operator ImVec4() const { return {r, g, b, a}; }
@@ -23,7 +23,7 @@ constexpr Tint hex(unsigned rgb) {
             static_cast<float>(rgb & 255u) / 255, 1};
 }
 
-// Blue against amber is told apart with every kind of colour vision; meaning never rests on colour alone.
+// Blue against amber is told apart with every kind of color vision; meaning never rests on color alone.
 inline constexpr Tint backdrop = hex(0x14161a);  ///< behind the table
 inline constexpr Tint panel = hex(0x1c1f25);
 inline constexpr Tint bar = hex(0x181a1f);       ///< menu, transport, status
@@ -55,7 +55,7 @@ struct Theme {
 /// Sets up fonts and style of the current ImGui context. `font_size` in design pixels at scale 1.
 Theme make_theme(float scale, float font_size);
 
-/// Colours of a program's materials: the author's, where the text is one, else a calm rotation of the theme's.
+/// Colors of a program's materials: the author's, where the text is one, else a calm rotation of the theme's.
 std::vector<Rgb> material_colors(const Program& program);
 
 }  // namespace pinfield::editor

@@ -1,4 +1,5 @@
 #include "editor/widgets/imgui_bridge.h"
+#include "engine/core/keys.h"
 
 #include <imgui_impl_opengl3.h>
 
@@ -7,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "editor/platform/keys.h"
 
 namespace pinfield::editor {
 

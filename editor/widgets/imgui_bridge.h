@@ -21,7 +21,6 @@ public:
     /// Hands over queued events up to the second change of one button or key, so that a quick click is seen as two frames,
     /// and begins a frame of `seconds`. Returns what was handed over.
     std::vector<WindowEvent> begin_frame(double seconds);
-    bool busy() const { return !pending_.empty(); }
     void draw();  ///< on the back buffer
 
 private:

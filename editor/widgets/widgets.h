@@ -32,7 +32,7 @@ void section(const Theme& theme, const char* title);
 /// A tooltip of at most a comfortable width, for the item before.
 void tooltip(const Theme& theme, std::string_view text);
 
-/// A small rounded label on a tint of its colour, or within a line of it.
+/// A small rounded label on a tint of its color, or within a line of it.
 enum class PillStyle : unsigned char { filled, bare };
 void pill(const Theme& theme, std::string_view text, const Tint& color, PillStyle style);
 float pill_width(const Theme& theme, std::string_view text);

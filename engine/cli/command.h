@@ -9,7 +9,7 @@
 namespace pinfield::cli {
 
 /// What the shell sees.
-enum class Exit : int {
+enum class ExitCode : int {
     fine = 0,
     wrong = 1,   ///< the table is wrong, or a test failed
     usage = 2,   ///< the command line is wrong
@@ -18,26 +18,26 @@ enum class Exit : int {
 
 /// Ends a command from anywhere below it; main() prints the message to stderr.
 struct Stop {
-    Exit code = Exit::failed;
+    ExitCode code = ExitCode::failed;
     std::string message;
 };
 
 /// The value of a result, or the end of the command with exit code 3.
 template <class T>
 T value_or_stop(Result<T> result) {
-    if (!result) throw Stop{Exit::failed, result.error().message};
+    if (!result) throw Stop{ExitCode::failed, result.error().message};
     if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 
 /// Each adds its subcommand; when the user asks for it, the callback runs it and sets `exit`.
-void add_check(CLI::App& app, Exit& exit);
-void add_nodes(CLI::App& app, Exit& exit);
-void add_schema(CLI::App& app, Exit& exit);
-void add_eval(CLI::App& app, Exit& exit);
-void add_simulate(CLI::App& app, Exit& exit);
-void add_render(CLI::App& app, Exit& exit);
-void add_format(CLI::App& app, Exit& exit);
-void add_test(CLI::App& app, Exit& exit);
-void add_bench(CLI::App& app, Exit& exit);
+void add_check(CLI::App& app, ExitCode& exit);
+void add_nodes(CLI::App& app, ExitCode& exit);
+void add_schema(CLI::App& app, ExitCode& exit);
+void add_eval(CLI::App& app, ExitCode& exit);
+void add_simulate(CLI::App& app, ExitCode& exit);
+void add_render(CLI::App& app, ExitCode& exit);
+void add_format(CLI::App& app, ExitCode& exit);
+void add_test(CLI::App& app, ExitCode& exit);
+void add_bench(CLI::App& app, ExitCode& exit);
 
 }  // namespace pinfield::cli

@@ -1,4 +1,5 @@
 // pinfield bench: how fast physics, raster and parameter edits are, on a generated playfield of 200 obstacles, one thread.
+#include <array>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -61,16 +62,16 @@ double patch_seconds(Scene& scene, const ProgramPtr& program, int runs) {
     int count = 0;
     return time_of(runs, [&] {
         apply(scene, {node.id, at, home + Vec2(0, 1e-4 * (++count % 2)), true});
-        ProgramPtr next = patch(*current, scene, node.id, at);
-        if (!next) throw Stop{Exit::failed, "a parameter edit was refused by patch()"};
+        ProgramPtr next = patch(*current, scene, std::array{FieldChange{node.id, at}});
+        if (!next) throw Stop{ExitCode::failed, "a parameter edit was refused by patch()"};
         current = std::move(next);
     });
 }
 
 void bench(bool json, int runs) {
-    Scene scene = playfield(std::make_shared<const Catalogue>(built_in_catalogue()), obstacles);
+    Scene scene = playfield(std::make_shared<const Catalog>(built_in_catalog()), obstacles);
     const auto compiled = compile(scene);
-    if (!compiled) throw Stop{Exit::failed, "the generated playfield does not compile"};
+    if (!compiled) throw Stop{ExitCode::failed, "the generated playfield does not compile"};
     const ProgramPtr program = *compiled;
     const double rate = ball_steps_per_second(program, runs);
     const double raster = raster_seconds(*program, sdf::best_isa(), 10 * runs);
@@ -104,7 +105,7 @@ void bench(bool json, int runs) {
 
 }  // namespace
 
-void add_bench(CLI::App& app, Exit& exit) {
+void add_bench(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("bench", "Measure physics, raster and parameter edits on a generated playfield");
     const auto json = std::make_shared<bool>(false);
     const auto runs = std::make_shared<int>(5);
@@ -112,7 +113,7 @@ void add_bench(CLI::App& app, Exit& exit) {
     command->add_option("--runs", *runs, "Runs that each median is taken over")->check(CLI::Range(1, 1000))->capture_default_str();
     command->callback([json, runs, &exit] {
         bench(*json, *runs);
-        exit = Exit::fine;
+        exit = ExitCode::fine;
     });
 }
 

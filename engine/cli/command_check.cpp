@@ -8,7 +8,7 @@
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
 #include "engine/program/compile.h"
-#include "engine/program/trust.h"
+#include "engine/program/distance_quality.h"
 #include "engine/scene/catalog.h"
 
 namespace pinfield::cli {
@@ -36,20 +36,20 @@ struct Note {
     Span where;
     std::string node;
     int depth = 0;  ///< 0: stands in the scene; else how deep in its tree
-    Trust trust;
+    DistanceQuality quality;
 };
 
 std::vector<Note> notes_of(const Program& program, const Scene& scene) {
-    const std::map<NodeId, Trust> trusts = trusts_of(program);
+    const std::map<NodeId, DistanceQuality> qualities = distance_qualities_of(program);
     const std::map<NodeId, std::string> paths = scene.paths();
     std::vector<Note> notes;
     for (const NodeId id : scene.all()) {
-        const auto trust = trusts.find(id);
-        if (trust == trusts.end() || id == scene.table().id) continue;
+        const auto quality = qualities.find(id);
+        if (quality == qualities.end() || id == scene.table().id) continue;
         const Node& node = *scene.find(id);
         int depth = 0;
-        for (NodeId above = node.parent; above && trusts.count(above) > 0; above = scene.find(above)->parent) ++depth;
-        notes.push_back({node.key, paths.at(id), depth, trust->second});
+        for (NodeId above = node.parent; above && qualities.count(above) > 0; above = scene.find(above)->parent) ++depth;
+        notes.push_back({node.key, paths.at(id), depth, quality->second});
     }
     return notes;
 }
@@ -57,12 +57,12 @@ std::vector<Note> notes_of(const Program& program, const Scene& scene) {
 const char* word(Side side) { return side == Side::exact ? "exact" : "bound"; }
 
 std::string message_of(const Note& note) {
-    const Exactness& formula = note.trust.formula;
+    const Exactness& formula = note.quality.formula;
     return fmt::format(
         "{} is {} outside, {} inside, L = {:.4g}{}", note.node, word(formula.outside), word(formula.inside), formula.lipschitz,
-        !note.trust.boundary_known  ? ""
-        : note.trust.fit_error == 0 ? ", its boundary is known: exact on both sides"
-                                    : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.trust.fit_error));
+        !note.quality.boundary_known  ? ""
+        : note.quality.fit_error == 0 ? ", its boundary is known: exact on both sides"
+                                    : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.quality.fit_error));
 }
 
 std::string lines_of(const std::vector<Note>& notes, const SourceText& source) {
@@ -76,15 +76,15 @@ std::string lines_of(const std::vector<Note>& notes, const SourceText& source) {
 
 /// A finding with more to read: what a program would ask for.
 JsonObject json_of(const Note& note, const SourceText& source) {
-    const Exactness& formula = note.trust.formula;
+    const Exactness& formula = note.quality.formula;
     return json_of(Diagnostic{"", Severity::warning, message_of(note), note.where, ""}, "note", source)
         .add("node", note.node)
         .add("outside", word(formula.outside))
         .add("inside", word(formula.inside))
         .add("lipschitz", formula.lipschitz)
-        .add("boundary_known", note.trust.boundary_known)
-        .add("boundary_fitted", note.trust.fit_error > 0)
-        .add("fit_error", note.trust.fit_error);
+        .add("boundary_known", note.quality.boundary_known)
+        .add("boundary_fitted", note.quality.fit_error > 0)
+        .add("fit_error", note.quality.fit_error);
 }
 
 /// Findings of the reader and, when it is content, of the compiler; notes on what it made.
@@ -103,19 +103,19 @@ Findings findings_of(const LoadedTable& loaded, bool with_notes) {
     return out;
 }
 
-Exit check(const Options& options) {
-    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
-    Exit exit = Exit::fine;
+ExitCode check(const Options& options) {
+    const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
+    ExitCode exit = ExitCode::fine;
     std::vector<std::string> objects;
     for (const std::string& file : options.files) {
-        const Result<LoadedTable> loaded = load_table(file, catalogue);
+        const Result<LoadedTable> loaded = load_table(file, catalog);
         if (!loaded) {
             fmt::print(stderr, "pinfield: {}\n", loaded.error().message);
-            exit = Exit::failed;
+            exit = ExitCode::failed;
             continue;
         }
         const Findings found = findings_of(*loaded, options.verbose);
-        if (has_errors(found.diagnostics) && exit == Exit::fine) exit = Exit::wrong;
+        if (has_errors(found.diagnostics) && exit == ExitCode::fine) exit = ExitCode::wrong;
         if (!options.json) print(text_of(found.diagnostics, *loaded->source) + lines_of(found.notes, *loaded->source));
         for (const Diagnostic& diagnostic : found.diagnostics) {
             const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
@@ -129,7 +129,7 @@ Exit check(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, Exit& exit) {
+void add_check(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("check", "Tell all that is wrong with tables, with file, line and column");
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->files, "Table files")->required();

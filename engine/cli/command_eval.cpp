@@ -10,7 +10,9 @@
 #include "engine/cli/output.h"
 #include "engine/cli/rest_pose.h"
 #include "engine/cli/table.h"
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
+#include "engine/scene/parts/domain.h"
 
 namespace pinfield::cli {
 namespace {
@@ -26,7 +28,7 @@ constexpr double farthest = 1e50;
 /// A static solid that bounds the space for balls instead of standing in it: the domain, written or made of the table's size.
 bool is_boundary(const Table& table, const Solid& solid) {
     return solid.part < 0 ? solid.origin == table.scene.table().id
-                          : table.program->parts[static_cast<std::size_t>(solid.part)].is<parts::Domain>();
+                          : at(table.program->parts, solid.part).is<parts::Domain>();
 }
 
 /// Something to ask for its distance: a whole field, or one solid of it, and where it stands.
@@ -69,13 +71,13 @@ Answer answer_at(const std::vector<Source>& sources, const Vec2& p) {
     for (const Source& source : sources) {
         const Nearest found = source.ask(p);
         if (found.leaf < 0 || found.distance >= answer.nearest.distance) continue;
-        answer = {found, source.field->ops[static_cast<std::size_t>(found.leaf)].origin};
+        answer = {found, at(source.field->ops, found.leaf).origin};
         winner = &source;
     }
-    const WayOut way = way_out(answer.nearest, p);
+    const Exit way = exit_of(answer.nearest, p);
     if (answer.nearest.certified && way.is_needed)
         for (const Source& other : sources)
-            if (&other != winner && other.ask(way.beyond).distance <= way.room) answer.nearest.certified = false;
+            if (&other != winner && other.ask(way.beyond).distance <= way.clearance) answer.nearest.certified = false;
     return answer;
 }
 
@@ -90,7 +92,7 @@ void eval(const Options& options) {
     for (const CsvRecord& record : records) {
         const Vec2 p(value_or_stop(csv_number(options.points, record, 0)), value_or_stop(csv_number(options.points, record, 1)));
         if (!(std::fabs(p.x()) <= farthest && std::fabs(p.y()) <= farthest))
-            throw Stop{Exit::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points,
+            throw Stop{ExitCode::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points,
                                                  record.line, farthest)};
         const auto& [found, node] = answer_at(sources, p);
         out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), found.distance, found.gradient.x(),
@@ -101,7 +103,7 @@ void eval(const Options& options) {
 
 }  // namespace
 
-void add_eval(CLI::App& app, Exit& exit) {
+void add_eval(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand(
         "eval", "Evaluate the signed distance of a table's solids at points, and tell where it is certified to be the true one");
     const auto options = std::make_shared<Options>();
@@ -111,7 +113,7 @@ void add_eval(CLI::App& app, Exit& exit) {
     command->add_flag("--shapes-only", options->shapes_only, "Leave the domain out");
     command->callback([options, &exit] {
         eval(*options);
-        exit = Exit::fine;
+        exit = ExitCode::fine;
     });
 }
 

@@ -8,13 +8,13 @@
 
 namespace pinfield::cli {
 
-void add_format(CLI::App& app, Exit& exit) {
+void add_format(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("format", "Print a table in its canonical form");
     const auto file = std::make_shared<std::string>();
     command->add_option("FILE", *file, "Table file")->required();
     command->callback([file, &exit] {
         print(write_table(open_table(*file).scene));
-        exit = Exit::fine;
+        exit = ExitCode::fine;
     });
 }
 

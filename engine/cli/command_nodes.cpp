@@ -17,9 +17,9 @@ struct Options {
 };
 
 void nodes(const Options& options) {
-    const Catalogue catalogue = built_in_catalogue();
-    const std::vector<const NodeType*> types = referenced_types(catalogue, options.key);
-    if (types.empty()) throw Stop{Exit::usage, fmt::format("there is no node \"{}\"; `pinfield nodes` lists all", options.key)};
+    const Catalog catalog = built_in_catalog();
+    const std::vector<const NodeType*> types = referenced_types(catalog, options.key);
+    if (types.empty()) throw Stop{ExitCode::usage, fmt::format("there is no node \"{}\"; `pinfield nodes` lists all", options.key)};
     std::string text = options.json ? reference_json(types) : options.markdown ? reference_markdown(types) : reference_text(types);
     if (!text.ends_with('\n')) text += '\n';
     print(text);
@@ -27,7 +27,7 @@ void nodes(const Options& options) {
 
 }  // namespace
 
-void add_nodes(CLI::App& app, Exit& exit) {
+void add_nodes(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("nodes", "List every node with its fields, units, ranges, defaults and exactness");
     const auto options = std::make_shared<Options>();
     command->add_option("KEY", options->key, "Only this node");
@@ -35,7 +35,7 @@ void add_nodes(CLI::App& app, Exit& exit) {
     command->add_flag("--markdown", options->markdown, "As Markdown")->excludes(json);
     command->callback([options, &exit] {
         nodes(*options);
-        exit = Exit::fine;
+        exit = ExitCode::fine;
     });
 }
 

@@ -27,7 +27,7 @@ struct Size {
 };
 
 /// "520x1060" as two numbers of pixels; anything else is wrong usage.
-std::string refuse_size(const std::string& text, Size* size = nullptr) {
+std::string why_invalid_size(const std::string& text, Size* size = nullptr) {
     const std::size_t x = text.find('x');
     const auto width = x == text.npos ? std::nullopt : parse_number(text.substr(0, x));
     const auto height = x == text.npos ? std::nullopt : parse_number(text.substr(x + 1));
@@ -59,7 +59,7 @@ void render(const Options& options) {
     const Table table = open_table(options.file);
     const Program& program = *table.program;
     Size size = usual_size(program);
-    if (!options.size.empty()) refuse_size(options.size, &size);
+    if (!options.size.empty()) why_invalid_size(options.size, &size);
 
     Raster raster;
     raster.width = size.width;
@@ -77,17 +77,17 @@ void render(const Options& options) {
 
 }  // namespace
 
-void add_render(CLI::App& app, Exit& exit) {
+void add_render(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("render", "Draw a table into a PNG");
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "Table file")->required();
     command->add_option("-o,--output", options->out, "Picture to write")->required();
     command->add_option("--size", options->size, "Pixels as WIDTHxHEIGHT; a pixel a millimetre when not given")
-        ->check([](const std::string& text) { return refuse_size(text); });
+        ->check([](const std::string& text) { return why_invalid_size(text); });
     command->add_option("--mode", options->mode, "shaded or isolines")->check(CLI::IsMember({"shaded", "isolines"}))->capture_default_str();
     command->callback([options, &exit] {
         render(*options);
-        exit = Exit::fine;
+        exit = ExitCode::fine;
     });
 }
 

@@ -8,13 +8,13 @@
 
 namespace pinfield::cli {
 
-void add_schema(CLI::App& app, Exit& exit) {
+void add_schema(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema (draft-07) of the table format");
     command->callback([&exit] {
-        std::string text = json_schema(built_in_catalogue());
+        std::string text = json_schema(built_in_catalog());
         if (!text.ends_with('\n')) text += '\n';
         print(text);
-        exit = Exit::fine;
+        exit = ExitCode::fine;
     });
 }
 

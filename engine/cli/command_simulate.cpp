@@ -13,6 +13,7 @@
 #include "engine/cli/quantity_option.h"
 #include "engine/cli/recorders.h"
 #include "engine/cli/table.h"
+#include "engine/core/at.h"
 #include "engine/core/hash.h"
 #include "engine/physics/scatter.h"
 #include "engine/physics/simulation.h"
@@ -34,14 +35,14 @@ struct Launch {
 };
 
 /// "x,y,vx,vy" as four numbers, units allowed; what is wrong with it, or "".
-std::string refuse_launch(const std::string& text, Launch* launch = nullptr) {
+std::string why_invalid_launch(const std::string& text, Launch* launch = nullptr) {
     const Unit units[4] = {Unit::metre, Unit::metre, Unit::metre_per_second, Unit::metre_per_second};
     double values[4] = {};
     std::size_t begin = 0;
     for (int i = 0; i < 4; ++i) {
         const std::size_t end = i < 3 ? text.find(',', begin) : text.size();
         if (end == text.npos) return fmt::format("\"{}\" is no launch: x,y,vx,vy", text);
-        const std::string complaint = refuse_quantity(text.substr(begin, end - begin), units[i], from(-1e6), to(1e6), &values[i]);
+        const std::string complaint = why_invalid_quantity(text.substr(begin, end - begin), units[i], from(-1e6), to(1e6), &values[i]);
         if (!complaint.empty()) return complaint;
         begin = end + 1;
     }
@@ -55,7 +56,7 @@ std::vector<InputChange> read_inputs(const std::string& path, const Program& pro
     if (path.empty()) return changes;
     for (const CsvRecord& record : value_or_stop(read_csv(path, "tick,input,value"))) {
         const auto stop = [&](const std::string& message) {
-            throw Stop{Exit::failed, fmt::format("{}:{}: {}", path, record.line, message)};
+            throw Stop{ExitCode::failed, fmt::format("{}:{}: {}", path, record.line, message)};
         };
         const double tick = value_or_stop(csv_number(path, record, 0));
         if (tick < 0 || tick > 1e15 || tick != std::floor(tick)) stop(fmt::format("\"{}\" is no tick", record.cells[0]));
@@ -84,11 +85,11 @@ World world_of(const Table& table, const Options& options) {
     if (options.balls) {
         const int placed = scatter_balls(world, *options.balls, options.speed.value_or(1), options.seed);
         if (placed < *options.balls)
-            throw Stop{Exit::wrong, fmt::format("{}: only {} of {} balls found free space\n", options.file, placed, *options.balls)};
+            throw Stop{ExitCode::wrong, fmt::format("{}: only {} of {} balls found free space\n", options.file, placed, *options.balls)};
     }
     for (const std::string& text : options.launches) {
         Launch launch;
-        refuse_launch(text, &launch);
+        why_invalid_launch(text, &launch);
         world.add_ball(launch.at, launch.velocity);
     }
     if (!options.balls && options.launches.empty()) world.add_spawned_balls();
@@ -98,7 +99,7 @@ World world_of(const Table& table, const Options& options) {
 JsonObject json_of(const SimulationSummary& summary, const std::string& table) {
     JsonObject counts;
     for (int kind = 0; kind < event_kinds; ++kind)
-        if (const auto count = summary.events[static_cast<std::size_t>(kind)]) counts.add(name(static_cast<EventKind>(kind)), count);
+        if (const auto count = at(summary.events, kind)) counts.add(name(static_cast<EventKind>(kind)), count);
     JsonObject json;
     json.add("table", table).add("ticks", summary.ticks).add("balls", summary.balls);
     json.add("wall_seconds", summary.wall_seconds).add("ball_steps_per_second", summary.ball_steps_per_second);
@@ -122,7 +123,7 @@ std::string text_of(const SimulationSummary& summary, const std::string& table, 
     text +=
         fmt::format("  energy          {:.9g} J at first, {:.9g} J at last\n  events         ", summary.energy_first, summary.energy_last);
     for (int kind = 0; kind < event_kinds; ++kind)
-        if (const auto count = summary.events[static_cast<std::size_t>(kind)])
+        if (const auto count = at(summary.events, kind))
             text += fmt::format(" {} {}", name(static_cast<EventKind>(kind)), count);
     text += fmt::format("\n  state hash      {}\n", hex16(summary.state_hash));
     if (summary.audit)
@@ -151,7 +152,7 @@ void run(const Options& options) {
 }
 
 /// CLI11 would wrap a sign and saturate what is too large.
-std::string refuse_seed(const std::string& text) {
+std::string why_invalid_seed(const std::string& text) {
     std::uint64_t seed = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
     return error == std::errc() && end == text.data() + text.size() ? "" : fmt::format("{} is no whole number from 0 to 2^64 - 1", text);
@@ -159,7 +160,7 @@ std::string refuse_seed(const std::string& text) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, Exit& exit) {
+void add_simulate(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("simulate", "Play a table without a window");
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "Table file")->required();
@@ -170,11 +171,11 @@ void add_simulate(CLI::App& app, Exit& exit) {
     add_quantity(*command, "--speed", options->speed, Unit::metre_per_second, from(0), to(1e6), "Of the scattered balls, m/s (1)")
         ->needs(balls);
     command->add_option("--seed", options->seed, "Of everything random: a whole number from 0 to 2^64 - 1")
-        ->check([](const std::string& text) { return refuse_seed(text); })
+        ->check([](const std::string& text) { return why_invalid_seed(text); })
         ->capture_default_str();
     command->add_option("--launch", options->launches, "Add a ball x,y,vx,vy in place of the spawns; may be repeated")
         ->allow_extra_args(false)
-        ->check([](const std::string& text) { return refuse_launch(text); });
+        ->check([](const std::string& text) { return why_invalid_launch(text); });
     add_quantity(*command, "--restitution", options->restitution, Unit::none, from(0), to(1),
                  "Set every restitution, and falloff, friction, scatter and kicks to 0");
     command->add_option("--integrator", options->integrator, "In place of the table's: symplectic_euler or ballistic")
@@ -188,7 +189,7 @@ void add_simulate(CLI::App& app, Exit& exit) {
     command->add_flag("--no-sweep", options->no_sweep)->group("");  // for tests of the auditor: balls tunnel
     command->callback([options, &exit] {
         run(*options);
-        exit = Exit::fine;
+        exit = ExitCode::fine;
     });
 }
 

@@ -114,7 +114,7 @@ std::string json_of(const std::vector<Verdict>& verdicts, int failed) {
            "\n";
 }
 
-Exit test(const Options& options) {
+ExitCode test(const Options& options) {
     const Table table = open_table(options.file);
     std::vector<Verdict> verdicts;
     int failed = 0;
@@ -123,12 +123,12 @@ Exit test(const Options& options) {
         if (!verdicts.back().failures.empty()) ++failed;
     }
     print(options.json ? json_of(verdicts, failed) : text_of(verdicts, failed));
-    return failed == 0 ? Exit::fine : Exit::wrong;
+    return failed == 0 ? ExitCode::fine : ExitCode::wrong;
 }
 
 }  // namespace
 
-void add_test(CLI::App& app, Exit& exit) {
+void add_test(CLI::App& app, ExitCode& exit) {
     CLI::App* command = app.add_subcommand("test", "Run a table's own tests");
     const auto options = std::make_shared<Options>();
     command->add_option("FILE", options->file, "Table file")->required();

@@ -10,9 +10,9 @@
 
 namespace {
 
-using pinfield::cli::Exit;
+using pinfield::cli::ExitCode;
 
-void add_commands(CLI::App& app, Exit& exit) {
+void add_commands(CLI::App& app, ExitCode& exit) {
     using namespace pinfield::cli;
     add_check(app, exit);
     add_nodes(app, exit);
@@ -26,7 +26,7 @@ void add_commands(CLI::App& app, Exit& exit) {
 }
 
 /// Help and version are answers (stdout, 0); every other complaint of the parser is a wrong command line.
-Exit answer(const CLI::App& app, const CLI::ParseError& error) {
+ExitCode answer(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) {
         std::string text;
         if (dynamic_cast<const CLI::CallForHelp*>(&error) || dynamic_cast<const CLI::CallForAllHelp*>(&error))
@@ -34,18 +34,18 @@ Exit answer(const CLI::App& app, const CLI::ParseError& error) {
         else
             text = std::string(error.what()) + "\n";
         pinfield::cli::print(text);
-        return Exit::fine;
+        return ExitCode::fine;
     }
     fmt::print(stderr, "pinfield: {}\nRun `pinfield --help`, or `pinfield COMMAND --help`.\n", error.what());
-    return Exit::usage;
+    return ExitCode::usage;
 }
 
-Exit run(int argc, char** argv) {
+ExitCode run(int argc, char** argv) {
     CLI::App app("Pinfield: pinball tables of signed distance fields, without a window.", "pinfield");
     app.set_version_flag("--version", "pinfield " PINFIELD_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 fine, 1 the table is wrong or a test failed, 2 wrong usage, 3 a file or device failed.");
-    Exit exit = Exit::fine;
+    app.footer("ExitCode codes: 0 fine, 1 the table is wrong or a test failed, 2 wrong usage, 3 a file or device failed.");
+    ExitCode exit = ExitCode::fine;
     add_commands(app, exit);
     try {
         app.parse(argc, argv);
@@ -65,6 +65,6 @@ int main(int argc, char** argv) {
         return static_cast<int>(stop.code);
     } catch (const std::exception& error) {
         fmt::print(stderr, "pinfield: {}\n", error.what());
-        return static_cast<int>(Exit::failed);
+        return static_cast<int>(ExitCode::failed);
     }
 }

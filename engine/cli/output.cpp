@@ -39,13 +39,13 @@ void Output::finish() {
     if (!flushed || !closed) stop();
 }
 
-void Output::stop() const { throw Stop{Exit::failed, "cannot write " + path_ + ": " + std::strerror(errno)}; }
+void Output::stop() const { throw Stop{ExitCode::failed, "cannot write " + path_ + ": " + std::strerror(errno)}; }
 
 void refuse_overwriting(const std::string& output, const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
         std::error_code missing;  // what does not exist cannot be overwritten
         if (!output.empty() && output != "-" && !input.empty() && std::filesystem::equivalent(output, input, missing))
-            throw Stop{Exit::usage, fmt::format("{} is read by this command and cannot be written by it", output)};
+            throw Stop{ExitCode::usage, fmt::format("{} is read by this command and cannot be written by it", output)};
     }
 }
 
@@ -55,7 +55,7 @@ void refuse_sharing(const std::string& output, const std::string& other) {
     if (std::filesystem::exists(output, error) && !std::filesystem::is_regular_file(output, error)) return;  // /dev/null holds all there is
     const auto place = [&](const std::string& path) { return std::filesystem::weakly_canonical(path, error); };
     if (output == other || place(output) == place(other))
-        throw Stop{Exit::usage, fmt::format("{} cannot hold two outputs at once", output)};
+        throw Stop{ExitCode::usage, fmt::format("{} cannot hold two outputs at once", output)};
 }
 
 void print(std::string_view text) {

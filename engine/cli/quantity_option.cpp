@@ -9,7 +9,7 @@
 
 namespace pinfield::cli {
 
-std::string refuse_quantity(const std::string& text, Unit unit, Limit min, Limit max, double* value) {
+std::string why_invalid_quantity(const std::string& text, Unit unit, Limit min, Limit max, double* value) {
     const QuantityResult quantity = read_quantity(text, unit);
     if (!quantity) return quantity.error().message;
     const double x = quantity->value;
@@ -27,7 +27,7 @@ CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optio
         name,
         [&target, name, unit, min, max](const std::string& text) {
             double value = 0;
-            const std::string complaint = refuse_quantity(text, unit, min, max, &value);
+            const std::string complaint = why_invalid_quantity(text, unit, min, max, &value);
             if (!complaint.empty()) throw CLI::ValidationError(name, complaint);
             target = value;
         },

@@ -9,7 +9,7 @@
 namespace pinfield::cli {
 
 /// What is wrong with `text` as a number of this unit and range, or "". On success `value` (may be null) receives it.
-std::string refuse_quantity(const std::string& text, Unit unit, Limit min, Limit max, double* value);
+std::string why_invalid_quantity(const std::string& text, Unit unit, Limit min, Limit max, double* value);
 
 /// An option that takes one such number; anything else is wrong usage.
 CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optional<double>& target, Unit unit, Limit min, Limit max,

@@ -1,5 +1,6 @@
 // Flippers and plungers where they stand before anything is pressed.
 #pragma once
+#include "engine/core/at.h"
 #include "engine/physics/mechanisms/mechanism.h"
 #include "engine/physics/sweep_mover.h"
 
@@ -7,7 +8,7 @@ namespace pinfield::cli {
 
 inline Similarity world_from_resting_mover(const Program& program, int mover) {
     const MoverState rest = mover_at_rest(program, mover);
-    const Pose pose = pose_of(program.movers[static_cast<std::size_t>(mover)], rest.rotates, rest.axis, rest.q);
+    const Pose pose = pose_of(at(program.movers, mover), rest.rotates, rest.axis, rest.q);
     return {.cosine = pose.cosine, .sine = pose.sine, .offset = pose.offset};
 }
 

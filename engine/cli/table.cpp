@@ -4,7 +4,7 @@
 
 #include "engine/cli/command.h"
 #include "engine/program/compile.h"
-#include "engine/program/trust.h"
+#include "engine/program/distance_quality.h"
 #include "engine/scene/catalog.h"
 
 namespace pinfield::cli {
@@ -19,11 +19,11 @@ std::string text_of(const Diagnostics& diagnostics, const SourceText& source) {
 }
 
 Table open_table(const std::string& path) {
-    LoadedTable loaded = value_or_stop(load_table(path, std::make_shared<const Catalogue>(built_in_catalogue())));
+    LoadedTable loaded = value_or_stop(load_table(path, std::make_shared<const Catalog>(built_in_catalog())));
     const std::string found = text_of(loaded.diagnostics, *loaded.source);
-    if (!loaded.ok()) throw Stop{Exit::wrong, found};
+    if (!loaded.ok()) throw Stop{ExitCode::wrong, found};
     const auto program = compile(loaded.scene);
-    if (!program) throw Stop{Exit::wrong, found + text_of(program.error(), *loaded.source)};
+    if (!program) throw Stop{ExitCode::wrong, found + text_of(program.error(), *loaded.source)};
     fmt::print(stderr, "{}{}", found, text_of(warnings_of(**program, loaded.scene), *loaded.source));
     return {loaded.source, std::move(loaded.scene), *program};
 }

@@ -1,4 +1,4 @@
-// Colours as the table format writes them: CSS names and quoted #rgb or #rrggbb.
+// Colors as the table format writes them: CSS names and quoted #rgb or #rrggbb.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@ struct Color {
     bool operator==(const Color&) const = default;
 };
 
-/// A CSS named colour (any letter case), "#rgb" or "#rrggbb"; nothing for anything else.
+/// A CSS named color (any letter case), "#rgb" or "#rrggbb"; nothing for anything else.
 std::optional<Color> parse_color(std::string_view text);
 /// "#rrggbb".
 std::string to_text(const Color& color);

@@ -3,6 +3,8 @@
 #include <array>
 #include <utility>
 
+#include "engine/core/at.h"
+
 namespace pinfield {
 namespace {
 
@@ -45,7 +47,7 @@ constexpr std::array codes{
     ErrorCode{"E0212", "unknown_unit", "no such unit"},
     ErrorCode{"E0213", "wrong_dimension", "the unit measures something else"},
     ErrorCode{"E0214", "unknown_choice", "the word is none of those the field takes"},
-    ErrorCode{"E0215", "unknown_color", "neither a CSS colour name nor a quoted #rgb or #rrggbb"},
+    ErrorCode{"E0215", "unknown_color", "neither a CSS color name nor a quoted #rgb or #rrggbb"},
     ErrorCode{"E0216", "missing_value", "a key without a value"},
     ErrorCode{"E0217", "under_indented", "a node's fields are indented too little"},
     ErrorCode{"E0218", "not_one_key", "a node is a map with exactly one key"},
@@ -87,7 +89,7 @@ static_assert(codes.size() == static_cast<std::size_t>(Code::unknown_step) + 1,
 
 std::span<const ErrorCode> error_codes() { return codes; }
 
-const ErrorCode& entry(Code code) { return codes[static_cast<std::size_t>(code)]; }
+const ErrorCode& entry(Code code) { return at(codes, code); }
 
 Diagnostic diagnose(Code code, Span where, std::string message, std::string hint) {
     const std::string_view word = entry(code).code;

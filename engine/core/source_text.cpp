@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
+
 namespace pinfield {
 
 SourceText::SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
@@ -26,8 +28,8 @@ LineColumn SourceText::place(std::size_t offset) const {
 
 std::string_view SourceText::line(int n) const {
     if (n < 1 || n > line_count()) return {};
-    const std::size_t begin = line_starts_[static_cast<std::size_t>(n - 1)];
-    std::size_t end = n < line_count() ? line_starts_[static_cast<std::size_t>(n)] - 1 : text_.size();
+    const std::size_t begin = at(line_starts_, n - 1);
+    std::size_t end = n < line_count() ? at(line_starts_, n) - 1 : text_.size();
     if (end > begin && text_[end - 1] == '\r') --end;
     return std::string_view(text_).substr(begin, end - begin);
 }

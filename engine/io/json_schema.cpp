@@ -115,9 +115,9 @@ Json type_schema(const NodeType& type) {
 }
 
 /// A map with exactly one key: an error then names that node's own field, not "no alternative matched".
-Json one_key_node(const Catalogue& catalogue, bool with_parts) {
+Json one_key_node(const Catalog& catalog, bool with_parts) {
     Json properties = Json::object();
-    for (const NodeType& type : catalogue.types()) {
+    for (const NodeType& type : catalog.types()) {
         const NodeKind kind = type.meta.kind;
         if (kind == NodeKind::shape || kind == NodeKind::operation || (with_parts && kind == NodeKind::part))
             properties[std::string(type.key())] = reference(std::string(type.key()));
@@ -163,12 +163,12 @@ Json named_map(const Json& value) {
 
 }  // namespace
 
-std::string json_schema(const Catalogue& catalogue) {
+std::string json_schema(const Catalog& catalog) {
     Json definitions = Json::object();
     definitions["names"] = one_or_list({{"type", "string"}, {"pattern", name_pattern}});
-    definitions["scene_node"] = one_key_node(catalogue, true);
-    definitions["shape_node"] = one_key_node(catalogue, false);
-    for (const NodeType& type : catalogue.types()) definitions[std::string(type.key())] = type_schema(type);
+    definitions["scene_node"] = one_key_node(catalog, true);
+    definitions["shape_node"] = one_key_node(catalog, false);
+    for (const NodeType& type : catalog.types()) definitions[std::string(type.key())] = type_schema(type);
     const Json keys = one_or_list({{"type", {"string", "integer"}}});
     const Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                       {"title", "Pinfield table"},

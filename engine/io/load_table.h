@@ -12,7 +12,7 @@ using LoadedTable = ReadResult;
 
 /// Fails when the file cannot be read; what is wrong with its content is in the diagnostics. A file above the limit of
 /// a table is not read further than needed to say so.
-Result<LoadedTable> load_table(const std::string& path, std::shared_ptr<const Catalogue> catalogue,
+Result<LoadedTable> load_table(const std::string& path, std::shared_ptr<const Catalog> catalog,
                                const Limits& limits = {});
 
 }  // namespace pinfield

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
 #include "engine/scene/edit.h"
@@ -22,15 +23,15 @@ std::vector<std::string_view> keys_of(const NodeType& type) {
 }
 
 /// Every word that may begin a scene node.
-std::vector<std::string_view> node_words(const Catalogue& catalogue) {
+std::vector<std::string_view> node_words(const Catalog& catalog) {
     std::vector<std::string_view> words;
-    for (const NodeType& type : catalogue.types())
+    for (const NodeType& type : catalog.types())
         if (type.meta.kind != NodeKind::record) words.push_back(type.key());
     return words;
 }
 
-const NodeType* find_node_type(const Catalogue& catalogue, std::string_view key) {
-    const NodeType* type = catalogue.find(key);
+const NodeType* find_node_type(const Catalog& catalog, std::string_view key) {
+    const NodeType* type = catalog.find(key);
     return type && type->meta.kind != NodeKind::record ? type : nullptr;
 }
 
@@ -47,21 +48,20 @@ bool report_unsupported(ReadContext& context, const NodeType& type, const YamlNo
     return false;
 }
 
-/// The integers of an operation are counts of copies.
 bool repeats_too_often(const ReadContext& context, const FieldType& field, const YamlNode& value) {
-    if (field.kind != FieldKind::integer || value.kind != YamlKind::scalar) return false;
+    if (field.meta.meaning != Meaning::count || value.kind != YamlKind::scalar) return false;
     const auto count = read_quantity(value.text, Unit::none);
     return count && count->value > static_cast<double>(context.limits.repeats);
 }
 
 void read_field(ReadContext& context, Node& node, int index, const YamlNode& key, const YamlNode& value) {
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
-    const FieldType& field = node.type->fields[static_cast<std::size_t>(index)];
-    if (node.type->meta.kind == NodeKind::operation && repeats_too_often(context, field, value))
+    const FieldType& field = at(node.type->fields, index);
+    if (repeats_too_often(context, field, value))
         return context.report(Code::too_many_repeats, value.span,
                               fmt::format("more than {} copies", context.limits.repeats));
     const auto read = read_value(context, field, value);
-    if (read) node.fields[static_cast<std::size_t>(index)] = {*read, true, value.span};
+    if (read) at(node.fields, index) = {*read, true, value.span};
 }
 
 bool allows_any_node(const NodeType* parent) { return !parent || (parent->part && parent->part->role == Role::group); }
@@ -94,7 +94,7 @@ std::string missing_blank(std::string_view text) {
 /// A node that is no map of one key: says which of the usual mistakes it is.
 void report_no_node(ReadContext& context, const YamlNode& item) {
     if (item.kind == YamlKind::scalar) {
-        if (find_node_type(context.catalogue, item.text))
+        if (find_node_type(context.catalog, item.text))
             return context.report(Code::wrong_shape, item.span,
                                   fmt::format("{} alone is a text, not a node", item.text),
                                   fmt::format("write {}: {{}}", item.text));
@@ -104,12 +104,12 @@ void report_no_node(ReadContext& context, const YamlNode& item) {
         return context.report(Code::wrong_shape, item.span, "a node is due here",
                               "a node is a map with one key: circle: {radius: 3cm}");
     if (item.entries() == 0) return context.report(Code::not_one_key, item.span, "a node without a type");
-    const NodeType* type = find_node_type(context.catalogue, item.key(0).text);
+    const NodeType* type = find_node_type(context.catalog, item.key(0).text);
     const YamlNode& second = item.key(1);
     if (type && item.value(0).resolved().is_empty() && takes(*type, second.text))
         return context.report(Code::under_indented, second.span,
                               fmt::format("the fields of {} are indented too little", type->key()), "indent two more");
-    const bool forgotten_dash = type && find_node_type(context.catalogue, second.text);
+    const bool forgotten_dash = type && find_node_type(context.catalog, second.text);
     context.report(Code::not_one_key, second.span, "a node has exactly one key, its type",
                    forgotten_dash ? "begin the next node with a dash"
                    : type         ? fmt::format("{} belongs inside {}", second.text, type->key())
@@ -155,10 +155,10 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     const YamlNode& body = item.value(0).resolved();
     if (!is_plain_key(key)) return;
     if (key.text == "use") return context.report(Code::use_unsupported, key.span, "use is not supported yet");
-    const NodeType* type = find_node_type(context.catalogue, key.text);
+    const NodeType* type = find_node_type(context.catalog, key.text);
     if (!type)
         return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text),
-                              suggestion(key.text, node_words(context.catalogue)));
+                              suggestion(key.text, node_words(context.catalog)));
     const NodeType* parent_type = parent ? scene.find(parent)->type : nullptr;
     if (type->meta.kind == NodeKind::part && !allows_any_node(parent_type))
         return context.report(Code::misplaced_part, key.span,
@@ -169,7 +169,7 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     node.where = {key.span.begin, std::max(key.span.end, body.span.end)};
     read_fields(context, node, key, body, {children_key});
     if (const auto id = type->find_field("id"))
-        node.name = std::get<std::string>(node.fields[static_cast<std::size_t>(*id)].value);
+        node.name = std::get<std::string>(at(node.fields, *id).value);
     if (body.kind != YamlKind::map && !body.is_empty()) return;
     read_children(context, scene, node, key, body.find(children_key));
 }

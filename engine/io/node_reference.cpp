@@ -113,9 +113,9 @@ std::vector<FieldType> own_fields(const NodeType& type) {
 
 }  // namespace
 
-std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, std::string_view key) {
+std::vector<const NodeType*> referenced_types(const Catalog& catalog, std::string_view key) {
     std::vector<const NodeType*> out;
-    for (const NodeType& type : catalogue.types())
+    for (const NodeType& type : catalog.types())
         if (key.empty() ? type.meta.kind != NodeKind::record : type.key() == key) out.push_back(&type);
     return out;
 }

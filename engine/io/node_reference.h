@@ -1,15 +1,15 @@
-// What a catalogue holds, for people and for programs.
+// What a catalog holds, for people and for programs.
 #pragma once
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 
 namespace pinfield {
 
 /// All scene nodes, or the one node or record of this key; empty when there is none.
-std::vector<const NodeType*> referenced_types(const Catalogue& catalogue, std::string_view key = {});
+std::vector<const NodeType*> referenced_types(const Catalog& catalog, std::string_view key = {});
 
 /// [{key, kind, doc, exactness: {outside, inside, lipschitz}, fields: [{key, type, unit, default, min, min_open, doc}],
 /// children: {min, max}}]; null for an infinite bound, for any number of children and for the default of a required

@@ -1,4 +1,4 @@
-// What every part of the reader is handed: the text, the catalogue, the limits, and the list that findings go to.
+// What every part of the reader is handed: the text, the catalog, the limits, and the list that findings go to.
 #pragma once
 #include <string>
 #include <string_view>
@@ -7,13 +7,13 @@
 #include "engine/core/error_codes.h"
 #include "engine/io/limits.h"
 #include "engine/io/yaml_tree.h"
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 
 namespace pinfield {
 
 struct ReadContext {
     const SourceText& source;
-    const Catalogue& catalogue;
+    const Catalog& catalog;
     const Limits& limits;
     Diagnostics& diagnostics;
 

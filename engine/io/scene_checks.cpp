@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/core/at.h"
 #include "engine/io/node_reader.h"
 #include "engine/scene/part_traits.h"
 
@@ -20,7 +21,7 @@ void check_ids(ReadContext& context, const Scene& scene) {
         if (is_new) continue;
         if (context.full()) return;
         const auto field = node.type->find_field("id");
-        context.report(Code::duplicate_id, node.fields[static_cast<std::size_t>(*field)].where,
+        context.report(Code::duplicate_id, at(node.fields, *field).where,
                        fmt::format("the id {} is taken", node.name),
                        fmt::format("line {} has it", context.source.place(first->second.begin).line));
     }
@@ -31,7 +32,6 @@ using Names = std::vector<std::string_view>;
 
 bool holds(const Names& names, std::string_view name) { return std::binary_search(names.begin(), names.end(), name); }
 
-/// Materials are the only things that a field of kind `id`, other than the node's own id, refers to.
 void check_material(ReadContext& context, const Names& materials, const FieldSlot& slot) {
     const auto& name = std::get<std::string>(slot.value);
     if (name.empty() || name == "default" || holds(materials, name)) return;
@@ -58,14 +58,13 @@ void check_fields(ReadContext& context, const Scene& scene) {
         const Node& node = *scene.find(id);
         for (std::size_t i = 0; i < node.fields.size(); ++i) {
             const FieldType& field = node.type->fields[i];
-            if (!node.fields[i].given) continue;
+            if (!node.fields[i].is_explicit) continue;
             if (!node.has_use_for(i))
                 context.report(
                     Code::idle_field, node.fields[i].where,
                     fmt::format("{} does nothing without {}: {}", field.key, field.meta.only_with.field, field.meta.only_with.choice));
-            if (field.kind == FieldKind::id && field.key != "id") check_material(context, materials, node.fields[i]);
-            if (field.kind == FieldKind::names && field.meta.meaning == Meaning::input)
-                check_inputs(context, inputs, node.fields[i]);
+            if (field.meta.meaning == Meaning::material) check_material(context, materials, node.fields[i]);
+            if (field.meta.meaning == Meaning::input) check_inputs(context, inputs, node.fields[i]);
         }
     }
 }

@@ -122,7 +122,7 @@ Script read_script(const SourceText& source, const Limits& limits) {
         if (d.code == entry(Code::empty_file).code)
             d = diagnose(Code::empty_file, d.where, "the file holds no steps", "begin each step with a dash");
     if (!tree.root) return script;
-    const Catalogue none;
+    const Catalog none;
     ReadContext context{source, none, limits, script.diagnostics};
     if (tree.root->kind != YamlKind::sequence) {
         context.report(Code::wrong_shape, tree.root->span, "a script is a list of steps",

@@ -3,22 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 
+#include "engine/core/at.h"
+#include "engine/core/keys.h"
 #include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
 
 namespace pinfield {
 namespace {
-
-constexpr std::array keyboard_keys{
-    "Space",    "Apostrophe",  "Comma",      "Minus",        "Period",      "Slash",      "Semicolon",
-    "Equal",    "LeftBracket", "Backslash",  "RightBracket", "GraveAccent", "World1",     "World2",
-    "Escape",   "Enter",       "Tab",        "Backspace",    "Insert",      "Delete",     "Right",
-    "Left",     "Down",        "Up",         "PageUp",       "PageDown",    "Home",       "End",
-    "CapsLock", "ScrollLock",  "NumLock",    "PrintScreen",  "Pause",       "LeftShift",  "LeftControl",
-    "LeftAlt",  "LeftSuper",   "RightShift", "RightControl", "RightAlt",    "RightSuper", "Menu"};
 
 FieldType number_field(std::string_view key, Unit unit, Limit min, Limit max, FieldKind kind = FieldKind::number) {
     FieldMeta meta;
@@ -44,8 +37,9 @@ void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const
             context.report(Code::wrong_shape, name.span, "the name of a key is due here");
             continue;
         }
-        if (!is_keyboard_key(name.text)) {
-            const std::vector<std::string_view> known(keyboard_keys.begin(), keyboard_keys.end());
+        if (key_code(name.text) < 0) {
+            std::vector<std::string_view> known;
+            for (const KeyboardKey& known_key : keyboard_keys()) known.push_back(known_key.name);
             context.report(Code::unknown_keyboard_key, name.span,
                            fmt::format("no key of a keyboard is called {}", name.text), suggestion(name.text, known));
         }
@@ -80,7 +74,7 @@ void read_launch(ReadContext& context, TableTest& test, const YamlNode& node) {
     read_entries(context, "a launch", node, keys, [&](auto index, const YamlNode& value) {
         const Unit unit = index == 0 ? Unit::metre : Unit::metre_per_second;
         const auto read = read_value(
-            context, number_field(keys[static_cast<std::size_t>(index)], unit, from(-1e6), to(1e6), FieldKind::vec2),
+            context, number_field(at(keys, index), unit, from(-1e6), to(1e6), FieldKind::vec2),
             value);
         if (read) (index == 0 ? launch.at : launch.velocity) = std::get<Vec2>(*read);
     });
@@ -112,19 +106,19 @@ std::string_view trimmed(std::string_view text) {
 }
 
 void read_expectation(ReadContext& context, const Quantities& known, TableTest& test, const YamlNode& node) {
-    const auto refuse = [&](std::string message) {
+    const auto reject = [&](std::string message) {
         context.report(Code::bad_expectation, node.span, std::move(message), "for example: pop.hits >= 1");
     };
-    if (node.kind != YamlKind::scalar) return refuse("an expectation is due here");
+    if (node.kind != YamlKind::scalar) return reject("an expectation is due here");
     const std::size_t at = node.text.find_first_of("=!<>");
-    if (at == std::string_view::npos) return refuse("an expectation compares a quantity with a number");
+    if (at == std::string_view::npos) return reject("an expectation compares a quantity with a number");
     const std::size_t length = at + 1 < node.text.size() && node.text[at + 1] == '=' ? 2 : 1;
     const std::string_view quantity = trimmed(node.text.substr(0, at)), comparison = node.text.substr(at, length),
                            number = trimmed(node.text.substr(at + length));
     if (comparison == "=" || comparison == "!")
-        return refuse(fmt::format("{} is no comparison; there are == != < <= > >=", comparison));
+        return reject(fmt::format("{} is no comparison; there are == != < <= > >=", comparison));
     const QuantityResult value = read_quantity(number, Unit::none);
-    if (!value) return refuse(fmt::format("{} is no number", number));
+    if (!value) return reject(fmt::format("{} is no number", number));
     if (!known.measured.count(std::string(quantity)))
         return context.report(Code::unknown_quantity, node.span, fmt::format("nothing called {} is measured", quantity),
                               suggestion(quantity, {known.named.begin(), known.named.end()}));
@@ -169,16 +163,6 @@ void read_test(ReadContext& context, Scene& scene, const Quantities& known, cons
 }
 
 }  // namespace
-
-bool is_keyboard_key(std::string_view name) {
-    if (std::find(keyboard_keys.begin(), keyboard_keys.end(), name) != keyboard_keys.end()) return true;
-    if (name.size() == 1) return (name[0] >= 'A' && name[0] <= 'Z') || (name[0] >= '0' && name[0] <= '9');
-    const auto digits = [&](std::string_view prefix) {
-        return name.starts_with(prefix) && name.size() > prefix.size() && name.size() <= prefix.size() + 2 &&
-               name.find_first_not_of("0123456789", prefix.size()) == std::string_view::npos;
-    };
-    return digits("Key") || digits("F") || name.starts_with("Keypad");
-}
 
 void read_inputs(ReadContext& context, Scene& scene, const YamlNode& section) {
     if (section.is_empty()) return;

@@ -10,7 +10,4 @@ void read_inputs(ReadContext& context, Scene& scene, const YamlNode& section);
 /// After the scene has been read: expectations name its nodes.
 void read_tests(ReadContext& context, Scene& scene, const YamlNode& section);
 
-/// GLFW's names of the keys, without prefix.
-bool is_keyboard_key(std::string_view name);
-
 }  // namespace pinfield

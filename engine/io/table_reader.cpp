@@ -46,7 +46,7 @@ void read_materials(ReadContext& context, Scene& scene, const YamlNode& section)
     if (section.kind != YamlKind::map)
         return context.report(Code::wrong_shape, section.span, "materials are due here",
                               "write materials: {rubber: {restitution: 0.8}}");
-    const NodeType& type = *context.catalogue.find("material");
+    const NodeType& type = *context.catalog.find("material");
     for (std::size_t i = 0; i < section.entries() && !context.full(); ++i) {
         const YamlNode& key = section.key(i);
         const YamlNode& body = section.value(i).resolved();
@@ -68,7 +68,7 @@ void read_materials(ReadContext& context, Scene& scene, const YamlNode& section)
 void report_unknown_section(ReadContext& context, const YamlNode& root, std::size_t i) {
     const YamlNode& key = root.key(i);
     if (i > 0 && root.value(i - 1).resolved().is_empty()) {
-        const NodeType* type = context.catalogue.find(root.key(i - 1).text);
+        const NodeType* type = context.catalog.find(root.key(i - 1).text);
         if (type && type->meta.kind == NodeKind::record && type->find_field(key.text))
             return context.report(Code::under_indented, key.span,
                                   fmt::format("the fields of {} are indented too little", type->key()),
@@ -111,13 +111,13 @@ void read_sections(ReadContext& context, Scene& scene, const YamlNode& root) {
 
 }  // namespace
 
-ReadResult read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalogue> catalogue,
+ReadResult read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalog> catalog,
                       const Limits& limits) {
-    ReadResult result{source, Scene(catalogue), {}};
+    ReadResult result{source, Scene(catalog), {}};
     YamlTree tree = read_yaml(*source, limits);
     result.diagnostics = std::move(tree.diagnostics);
     if (!tree.root) return result;
-    ReadContext context{*source, *catalogue, limits, result.diagnostics};
+    ReadContext context{*source, *catalog, limits, result.diagnostics};
     const YamlNode& root = *tree.root;
     if (root.kind != YamlKind::map) {
         context.report(Code::wrong_shape, root.span, "a table is a map of sections", "begin with: pinfield: 1");

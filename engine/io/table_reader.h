@@ -17,9 +17,9 @@ struct ReadResult {
     bool ok() const { return !has_errors(diagnostics); }
 };
 
-/// Reads a table whose nodes are those of the catalogue. Never throws. Spans in scene and diagnostics refer to
+/// Reads a table whose nodes are those of the catalog. Never throws. Spans in scene and diagnostics refer to
 /// `source`.
-ReadResult read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalogue> catalogue,
+ReadResult read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalog> catalog,
                       const Limits& limits = {});
 
 }  // namespace pinfield

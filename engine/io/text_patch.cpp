@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "engine/core/at.h"
 #include "engine/io/quantity.h"
 #include "engine/io/table_reader.h"
 #include "engine/io/value_writer.h"
@@ -159,7 +160,7 @@ using Spellings = std::map<std::string, int>;
 void count_spellings(const SourceText& source, const Node& node, Unit unit, Spellings& counts) {
     constexpr std::string_view between = "[]{}, '\"\r\n";
     for (std::size_t i = 0; i < node.fields.size(); ++i) {
-        if (!node.fields[i].given || node.type->fields[i].meta.unit != unit) continue;
+        if (!node.fields[i].is_explicit || node.type->fields[i].meta.unit != unit) continue;
         std::string_view text = source.slice(node.fields[i].where);
         while (!text.empty()) {
             const std::size_t length = std::min(text.find_first_of(between), text.size());
@@ -220,7 +221,7 @@ Result<TextPatch> unverified_patch(const SourceText& source, const YamlTree& tre
         if (body.key(i).text != field.key) continue;
         if (const YamlNode* shared = shared_below(body.value(i)))
             return tl::unexpected<Failure>(shared_failure(*shared));
-        if (!edit.given) return remove_entry(text, body, i);
+        if (!edit.is_explicit) return remove_entry(text, body, i);
         return ValuePatch(text, field).of(body.value(i), node.fields[slot_index].value, edit.value);
     }
     return insert_entry(text, body, index_for_new_field(body), entry);
@@ -228,13 +229,13 @@ Result<TextPatch> unverified_patch(const SourceText& source, const YamlTree& tre
 
 std::optional<NodeId> counterpart(const Scene& from, NodeId id, const Scene& to) {
     const std::vector<NodeId> here = from.all(), there = to.all();
-    const auto at = std::find(here.begin(), here.end(), id);
-    if (at == here.end() || here.size() != there.size()) return {};
-    return there[static_cast<std::size_t>(at - here.begin())];
+    const auto place = std::find(here.begin(), here.end(), id);
+    if (place == here.end() || here.size() != there.size()) return {};
+    return at(there, place - here.begin());
 }
 
 ReadResult read_text(const SourceText& source, const Scene& like, const Limits& limits) {
-    return read_table(std::make_shared<const SourceText>(source), like.shared_catalogue(), limits);
+    return read_table(std::make_shared<const SourceText>(source), like.shared_catalog(), limits);
 }
 
 /// The patched text must be the same scene with exactly this edit.
@@ -261,16 +262,16 @@ TextPatch inverse(const TextPatch& patch, const std::string& text) {
 }
 
 Result<TextPatch> patch_for(const SourceText& source, const Scene& before, const Edit& edit, const Limits& limits) {
-    if (const auto why = refuse(before, edit)) return failure(*why);
+    if (const auto why = why_invalid(before, edit)) return failure(*why);
     const ReadResult now = read_text(source, before, limits);
     if (!now.ok() || !now.scene.same_content(before)) return failure("the text is not what the scene was read from");
     const auto id = counterpart(before, edit.node, now.scene);
     if (!id) return failure("the node no longer exists");
-    const Edit here{*id, edit.field, edit.value, edit.given};
+    const Edit here{*id, edit.field, edit.value, edit.is_explicit};
     const Node& node = *now.scene.find(*id);
-    const FieldSlot& slot = node.fields[static_cast<std::size_t>(edit.field)];
-    if (slot.given == edit.given && identical(slot.value, edit.value)) return TextPatch{};
-    if (!edit.given && !identical(edit.value, node.type->fields[static_cast<std::size_t>(edit.field)].initial))
+    const FieldSlot& slot = at(node.fields, edit.field);
+    if (slot.is_explicit == edit.is_explicit && identical(slot.value, edit.value)) return TextPatch{};
+    if (!edit.is_explicit && !identical(edit.value, at(node.type->fields, edit.field).initial))
         return failure("only a default value can be left out of the text");
     const YamlTree tree = read_yaml(source, limits);
     Result<TextPatch> patch = unverified_patch(source, tree, now.scene, node, here);

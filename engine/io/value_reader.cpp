@@ -44,7 +44,7 @@ std::optional<double> read_number(ReadContext& context, const FieldMeta& meta, c
         return {};
     }
     FieldType plain{"", FieldKind::number, meta, {}, {}, false};
-    if (const auto why = refuse(plain, Value(read->value))) {
+    if (const auto why = why_invalid(plain, Value(read->value))) {
         context.report(Code::out_of_range, node.span, fmt::format("{} {}", shortened(node.text), *why));
         return {};
     }
@@ -64,7 +64,7 @@ std::optional<Value> read_integer(ReadContext& context, const FieldType& field, 
         return {};
     }
     const Value value = static_cast<std::int64_t>(*number);
-    if (const auto why = refuse(field, value)) {
+    if (const auto why = why_invalid(field, value)) {
         context.report(Code::out_of_range, node.span, fmt::format("{} {}", field.key, *why));
         return {};
     }
@@ -168,7 +168,7 @@ std::optional<Value> read_color(ReadContext& context, const FieldType& field, co
         hint = fmt::format("write \"#{}\", with the quotes", node.text);
     else if (const auto close = closest_match(node.text, color_names()))
         hint = fmt::format("did you mean {}?", *close);
-    context.report(Code::unknown_color, node.span, fmt::format("{} is no colour", shortened(node.text)), hint);
+    context.report(Code::unknown_color, node.span, fmt::format("{} is no color", shortened(node.text)), hint);
     return {};
 }
 
@@ -179,7 +179,7 @@ std::optional<std::string> read_word(ReadContext& context, const FieldType& fiel
     if (report_dollar(context, node)) return {};
     std::string word(node.text);
     const Value value = field.kind == FieldKind::choices ? Value(std::vector{word}) : Value(word);
-    if (const auto why = refuse(field, value)) {
+    if (const auto why = why_invalid(field, value)) {
         context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why), suggestion(word, field.choices));
         return {};
     }
@@ -208,7 +208,7 @@ void report_missing_value(ReadContext& context, const YamlNode& key, const YamlN
     if (const auto color = color_in_comment(text, value.span.begin, line_end(text, value.span.begin)))
         return context.report(Code::comment_ate_value, {*color, *color + 1},
                               fmt::format("this # begins a comment, so {} has no value", key.text),
-                              "quote the colour: \"#7c5\"");
+                              "quote the color: \"#7c5\"");
     context.report(Code::missing_value, key.span, fmt::format("{} has no value", shortened(key.text)));
 }
 

@@ -16,7 +16,7 @@ std::string write_text(std::string_view text, YamlStyle style = YamlStyle::plain
 /// `like`.
 std::string write_value(const FieldType& field, const Value& value, std::string_view like = {});
 
-/// A single value (number, word, text, colour, name ...) in the style of the scalar that it replaces: its unit,
+/// A single value (number, word, text, color, name ...) in the style of the scalar that it replaces: its unit,
 /// decimals and quotes.
 std::string write_scalar_like(const FieldType& field, const Value& value, const YamlNode& scalar);
 /// Likewise one component of a pair.

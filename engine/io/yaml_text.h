@@ -40,7 +40,7 @@ std::size_t null_word(std::string_view text, std::size_t at);
 /// else empty.
 Span value_with_colon(std::string_view text, std::size_t at);
 
-/// A `#` that begins a comment in [begin, end) and is followed at once by a hex colour: its offset.
+/// A `#` that begins a comment in [begin, end) and is followed at once by a hex color: its offset.
 std::optional<std::size_t> color_in_comment(std::string_view text, std::size_t begin, std::size_t end);
 
 }  // namespace pinfield

@@ -1,6 +1,7 @@
 // The event loops inside a tick: one ball against the static field, and several balls and movers together.
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/physics/state.h"
 
 namespace pinfield {
@@ -15,7 +16,7 @@ Motion motion_of(const WorldState& w, std::size_t i) {
 }
 
 Contact contact_of(const WorldState& w, const FieldHit& hit, int mover) {
-    return {hit.normal, w.band.target(), hit.hollow, mover, hit.solid, hit.leaf, hit.piece};
+    return {hit.normal, w.band.target(), hit.concave_radius, mover, hit.solid, hit.leaf, hit.piece};
 }
 
 /// The budget is spent: the ball loses the rest of the tick, never its distance.
@@ -55,7 +56,7 @@ Slice sweep_slice(WorldState& w, std::size_t i, double rest, double room) {
     return slice;
 }
 
-bool advance_alone(WorldState& w, std::size_t i, double limit) {
+bool advance_uncoupled(WorldState& w, std::size_t i, double limit) {
     const double h = w.physics.step;
     Ball& ball = w.balls[i];
     BallWork& work = w.work[i];
@@ -117,30 +118,30 @@ namespace {
 
 /// The loop over balls and movers that may meet. Every ball and mover keeps its own time; only those that take part in an
 /// event are brought to it, and only plans that it changes are made again.
-class Together {
+class CoupledTick {
 public:
-    explicit Together(WorldState& w) : w_(w), h_(w.physics.step) {}
+    explicit CoupledTick(WorldState& w) : w_(w), h_(w.physics.step) {}
 
     void run() {
         for (std::size_t m = 0; m < w_.movers.size(); ++m) plan_stop(w_, m);
         w_.plans.resize(w_.balls.size());
-        for (const int i : w_.together) {
-            plan_fixed(at(i));
-            plan_movers(at(i));
+        for (const int i : w_.coupled) {
+            plan_fixed(to_index(i));
+            plan_movers(to_index(i));
         }
-        for (const int i : w_.together) plan_pairs(at(i));
+        for (const int i : w_.coupled) plan_pairs(to_index(i));
         while (step()) {}
-        for (const int i : w_.together) {
-            BallWork& work = w_.work[at(i)];
-            if (!work.frozen) advance_ball(w_, at(i), h_ - work.time);
-            else if (w_.recording && work.time < h_) w_.paths.push_back(standing(at(i)));
+        for (const int i : w_.coupled) {
+            BallWork& work = at(w_.work, i);
+            if (!work.frozen) advance_ball(w_, to_index(i), h_ - work.time);
+            else if (w_.recording && work.time < h_) w_.paths.push_back(standing(to_index(i)));
             work.time = h_;
         }
         for (std::size_t m = 0; m < w_.movers.size(); ++m) advance_mover(w_, m, h_);
     }
 
 private:
-    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
+    static std::size_t to_index(int i) { return static_cast<std::size_t>(i); }
     bool moves(std::size_t i) const { return w_.balls[i].state == BallState::rolling && !w_.work[i].frozen; }
     PathSegment standing(std::size_t i) const {
         const BallWork& work = w_.work[i];
@@ -156,8 +157,8 @@ private:
                 earliest = w_.mover_work[m].stop_time;
                 mover = static_cast<int>(m);
             }
-        for (const int i : w_.together) {
-            const BallPlan& plan = w_.plans[at(i)];
+        for (const int i : w_.coupled) {
+            const BallPlan& plan = at(w_.plans, i);
             const double next = std::min({plan.fixed_time, plan.mover_time, plan.pair_time});
             if (next < earliest) {
                 earliest = next;
@@ -166,10 +167,10 @@ private:
             }
         }
         if (ball >= 0) {
-            run_ball_event(at(ball));
+            run_ball_event(to_index(ball));
             return true;
         }
-        if (mover >= 0) run_stop(at(mover));
+        if (mover >= 0) run_stop(to_index(mover));
         return mover >= 0;
     }
 
@@ -178,13 +179,13 @@ private:
         const double time = w_.mover_work[m].stop_time;
         advance_mover(w_, m, time);
         s.q = s.rate > 0 || (s.rate == 0 && s.acceleration > 0) ? s.q_max : s.q_min;
-        const double speed = std::fabs(s.rate) * (s.rotates ? w_.program().movers[m].lever : 1.0);
+        const double speed = std::fabs(s.rate) * (s.rotates ? w_.program().movers[m].bounding_radius : 1.0);
         hit_end_stop(w_.program(), static_cast<int>(m), s, h_);
         if (++w_.mover_work[m].stops > most_impacts) stall(m);
         if (speed > 10 * w_.physics.rest_speed) {
-            const Part& part = w_.program().parts[at(w_.program().movers[m].part)];
+            const Part& part = at(w_.program().parts, w_.program().movers[m].part);
             w_.events.push_back(
-                {w_.tick, w_.start_time() + time, EventKind::flipper_end, {}, part.origin, w_.program().movers[m].pivot, {0, 0}, speed});
+                {w_.tick, w_.start_time() + time, EventKind::end_stop, {}, part.origin, w_.program().movers[m].pivot, {0, 0}, speed});
         }
         replan_mover(m);
     }
@@ -196,13 +197,13 @@ private:
 
     void replan_mover(std::size_t m) {
         plan_stop(w_, m);
-        for (const int i : w_.together) plan_movers(at(i));
+        for (const int i : w_.coupled) plan_movers(to_index(i));
     }
 
     void run_ball_event(std::size_t i) {
         BallWork& work = w_.work[i];
         const BallPlan& plan = w_.plans[i];
-        if (plan.pair_time < plan.fixed_time && plan.pair_time < plan.mover_time) return run_pair(i, at(plan.partner));
+        if (plan.pair_time < plan.fixed_time && plan.pair_time < plan.mover_time) return run_pair(i, to_index(plan.partner));
         const bool by_mover = plan.mover_time < plan.fixed_time;
         const double time = by_mover ? plan.mover_time : plan.fixed_time;
         advance_ball(w_, i, time - work.time);
@@ -210,9 +211,9 @@ private:
         const FieldHit hit = by_mover ? plan.mover_hit : plan.fixed_hit;
         const bool capped = by_mover ? plan.mover_capped : plan.fixed_capped;
         if (hit.solid < 0 && !capped) return replan_ball(i);  // the end of a slice
-        if (by_mover) advance_mover(w_, at(plan.mover), time);
+        if (by_mover) advance_mover(w_, to_index(plan.mover), time);
         if (by_mover && !moves(i)) {
-            meet_immovable(i, at(plan.mover));
+            meet_immovable(i, to_index(plan.mover));
             return;
         }
         if (capped || ++work.impacts > most_impacts) {
@@ -248,7 +249,7 @@ private:
         w_.work[i].jammed = w_.work[i].jammed || jams;
         if (jams && w_.balls_before[i].state != BallState::jammed)
             w_.events.push_back({w_.tick, w_.start_time() + w_.work[i].time, EventKind::jam, w_.balls[i].id,
-                                 w_.program().parts[at(w_.program().movers[m].part)].origin, w_.balls[i].position, {0, 0}, 0});
+                                 at(w_.program().parts, w_.program().movers[m].part).origin, w_.balls[i].position, {0, 0}, 0});
         stall(m);
         replan_mover(m);
     }
@@ -272,8 +273,8 @@ private:
         plan_fixed(i);
         plan_movers(i);
         plan_pairs(i);
-        for (const int k : w_.together)
-            if (w_.plans[at(k)].partner == static_cast<int>(i) && at(k) != i) plan_pairs(at(k));
+        for (const int k : w_.coupled)
+            if (at(w_.plans, k).partner == static_cast<int>(i) && to_index(k) != i) plan_pairs(to_index(k));
     }
 
     void plan_fixed(std::size_t i) {
@@ -347,8 +348,8 @@ private:
         plan.pair_time = infinity;
         plan.partner = -1;
         if (!w_.options.balls_collide) return;
-        for (const int k : w_.together) {
-            const std::size_t j = at(k);
+        for (const int k : w_.coupled) {
+            const std::size_t j = to_index(k);
             if (j == i || (!moves(i) && !moves(j))) continue;
             const double time = meeting(std::min(i, j), std::max(i, j));
             if (time < plan.pair_time) {
@@ -369,9 +370,9 @@ private:
 
 }  // namespace
 
-void advance_together(WorldState& w) {
-    if (w.together.empty() && w.movers.empty()) return;
-    Together(w).run();
+void advance_coupled(WorldState& w) {
+    if (w.coupled.empty() && w.movers.empty()) return;
+    CoupledTick(w).run();
 }
 
 }  // namespace pinfield

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/physics/sweep_mover.h"
 #include "engine/program/evaluate.h"
 
@@ -12,7 +13,6 @@ namespace {
 constexpr double most_samples = 100000;  // of one segment
 constexpr int fine_samples = 16;         // between two samples, near solids whose boundary is not known as pieces
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Where the movers are at a time since the world's start.
 void place_movers(const World& world, double time, std::vector<double>& q) {
@@ -20,7 +20,7 @@ void place_movers(const World& world, double time, std::vector<double>& q) {
     for (const MoverState& s : world.movers()) q.push_back(s.q);
     for (const MoverSegment& segment : world.mover_paths())
         if (time <= segment.start + segment.duration && time >= segment.start)
-            q[at(segment.mover)] = segment.at(time - segment.start);
+            at(q, segment.mover) = segment.at(time - segment.start);
 }
 
 /// Does the step from a to b pass through the piece from one side to the other?
@@ -42,12 +42,12 @@ bool crosses_boundary(const Field& field, const Vec2& a, const Vec2& b, LayerMas
     const int pieces = static_cast<int>(field.pieces.size());
     field.bvh.overlapping(Box2::of(a, b), [&](int entry) {
         if (entry >= pieces) {
-            const int solid = field.tree_solids[at(entry - pieces)];
-            if ((field.solids[at(solid)].layers & layers) == 0) return;
+            const int solid = at(field.tree_solids, entry - pieces);
+            if ((at(field.solids, solid).layers & layers) == 0) return;
             for (int k = 1; k < fine_samples; ++k)
                 found = found || nearest_of_solid(field, solid, a + (static_cast<double>(k) / fine_samples) * (b - a)).distance < 0;
-        } else if (field.pieces[at(entry)].layers & layers) {
-            found = found || crosses(field.pieces[at(entry)].piece, a, b);
+        } else if (at(field.pieces, entry).layers & layers) {
+            found = found || crosses(at(field.pieces, entry).piece, a, b);
         }
     });
     return found;

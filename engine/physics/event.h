@@ -9,7 +9,7 @@
 
 namespace pinfield {
 
-enum class EventKind : unsigned char { hit, kick, ball_hit, drain, press, release, flipper_end, launch, quarantine, jam };
+enum class EventKind : unsigned char { hit, kick, ball_hit, drain, press, release, end_stop, launch, quarantine, jam };
 std::string_view name(EventKind kind);
 
 struct Event {
@@ -20,7 +20,9 @@ struct Event {
     NodeId node;            ///< what was hit: the winning leaf's scene node, or the part
     Vec2 position{0, 0};    ///< contact point, or the ball's centre
     Vec2 normal{0, 0};      ///< unit, from the surface to the ball
-    double speed = 0;       ///< normal approach speed, m/s
+    /// m/s. hit, ball_hit: normal approach speed. kick: what the part adds along the normal. end_stop: of the part's farthest point as it
+    /// meets the stop. launch: of the rod when it is let go. 0 for the others.
+    double speed = 0;
 };
 
 }  // namespace pinfield

@@ -3,6 +3,7 @@
 // the plane; contacts at one instant are resolved one after the other in the order of their ids until none closes.
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/core/trig.h"
 #include "engine/physics/state.h"
@@ -15,7 +16,6 @@ constexpr int most_rounds = 32;      // of resolving simultaneous contacts
 constexpr int hops_per_tick = 16;    // of a ball that follows a hollow or an accelerating surface
 constexpr double steepest_hop = 0.1; // its normal speed per speed along the hollow: fast balls in narrow ones take more hops instead
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// What the surface of a contact is made of, and to whom it belongs.
 struct Surface {
@@ -26,36 +26,36 @@ struct Surface {
 
 Surface surface_of(const WorldState& w, const Contact& c) {
     const Program& program = w.program();
-    const Field& field = c.mover < 0 ? program.fixed : program.movers[at(c.mover)].field;
+    const Field& field = c.mover < 0 ? program.fixed : at(program.movers, c.mover).field;
     Surface s;
-    const Solid& solid = field.solids[at(c.solid)];
-    const int part = c.mover < 0 ? solid.part : program.movers[at(c.mover)].part;
+    const Solid& solid = at(field.solids, c.solid);
+    const int part = c.mover < 0 ? solid.part : at(program.movers, c.mover).part;
     const int op = c.leaf >= 0 ? c.leaf : solid.root;
-    s.material = &program.materials[at(field.ops[at(op)].material)];
-    if (part >= 0) s.part = &program.parts[at(part)];
-    s.node = s.part ? s.part->origin : field.ops[at(op)].origin;
+    s.material = &at(program.materials, at(field.ops, op).material);
+    if (part >= 0) s.part = &at(program.parts, part);
+    s.node = s.part ? s.part->origin : at(field.ops, op).origin;
     return s;
 }
 
 /// How a surface moves at the contact, and how it yields to an impulse.
-struct Motive {
+struct SurfaceMotion {
     Vec2 velocity{0, 0};
     double acceleration = 0;    ///< along the normal, of the drive
     double lever_normal = 0, lever_tangent = 0;  ///< change of the surface's velocity per change of rate
     double yielding = 0;        ///< inverse inertia
 };
 
-Motive motive_of(const WorldState& w, const Contact& c, const Vec2& point, const Vec2& tangent) {
-    Motive m;
+SurfaceMotion surface_motion_of(const WorldState& w, const Contact& c, const Vec2& point, const Vec2& tangent) {
+    SurfaceMotion m;
     if (c.mover < 0) return m;
-    const Mover& mover = w.program().movers[at(c.mover)];
-    const MoverState& state = w.movers[at(c.mover)];
+    const Mover& mover = at(w.program().movers, c.mover);
+    const MoverState& state = at(w.movers, c.mover);
     m.velocity = velocity_of(mover, state, point);
     const Vec2 per_rate = state.rotates ? Vec2(mover.handedness * perpendicular(point - mover.pivot)) : state.axis;
     m.lever_normal = dot(per_rate, c.normal);
     m.lever_tangent = dot(per_rate, tangent);
     m.acceleration = state.acceleration * m.lever_normal;
-    m.yielding = w.mover_work[at(c.mover)].stalled ? 0.0 : state.inverse_inertia;
+    m.yielding = at(w.mover_work, c.mover).stalled ? 0.0 : state.inverse_inertia;
     return m;
 }
 
@@ -74,13 +74,13 @@ struct Impact {
 /// Does the ball still bounce? A train of bounces under the pressing acceleration p lasts 2 u / (p (1 - e)) altogether, so when
 /// that is less than what is left of the tick all of it ends in there (exactly: infinitely many bounces).
 Impact judge(const WorldState& w, const BallWork& work, const Contact& c, const MaterialRecord& material,
-             const Motive& surface, double closing, double sliding) {
+             const SurfaceMotion& surface, double closing, double sliding) {
     Impact impact;
     const double u = std::max(0.0, closing), h = w.physics.step;
     const double e0 = w.options.restitution ? *w.options.restitution : material.restitution;
     const double e = w.options.restitution ? e0 : e0 / (1 + material.falloff * u);
     const double weight = std::max(0.0, -dot(c.normal, w.physics.gravity));
-    const double bend = c.hollow > w.physics.ball_radius ? sliding * sliding / (c.hollow - w.physics.ball_radius) : 0.0;
+    const double bend = c.concave_radius > w.physics.ball_radius ? sliding * sliding / (c.concave_radius - w.physics.ball_radius) : 0.0;
     const double pushed = std::max(0.0, surface.acceleration);
     const double press = weight + bend + pushed, left = h - work.time;
     const bool euler = w.physics.integrator == Integrator::symplectic_euler;
@@ -109,7 +109,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     BallWork& work = w.work[i];
     const double r = w.physics.ball_radius;
     const Vec2 n = c.normal, t = perpendicular(n), point = ball.position - r * n;
-    Motive surface = motive_of(w, c, point, t);
+    SurfaceMotion surface = surface_motion_of(w, c, point, t);
     const Vec2 relative = ball.velocity - surface.velocity;
     const double normal = dot(relative, n), slip_before = dot(relative, t) - r * ball.spin;
     if (normal >= 0 && !forced) return false;
@@ -125,7 +125,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     double gained = impact.approach * (1 + impact.restitution) + impact.hop;
     if (normal > 0) gained = std::max(0.0, impact.hop - normal);
     if (surface.yielding > 0) {
-        MoverState& state = w.movers[at(c.mover)];
+        MoverState& state = at(w.movers, c.mover);
         const double share = mass * surface.lever_normal * surface.lever_normal * surface.yielding;
         const double change = -(gained / (1 + share)) * mass * surface.lever_normal * surface.yielding;
         if (stop_holds(state, change)) {
@@ -140,7 +140,8 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     const Vec2 bounced = ball.velocity;
 
     // Following a hollow in contact is a polygon of short hops; its corners turn the velocity without slowing it.
-    const bool follows = impact.collapsed && c.hollow > 0 && c.mover < 0 && work.slide_tick >= w.tick - 1 && c.same_surface(work.slide);
+    const bool follows =
+        impact.collapsed && c.concave_radius > 0 && c.mover < 0 && work.slide_tick >= w.tick - 1 && c.same_surface(work.slide);
     if (follows && impact.hop > 0) {
         const double along = dot(ball.velocity, t), kept = speed_before * speed_before - impact.hop * impact.hop;
         if (kept > along * along) ball.velocity = impact.hop * n + (along < 0 ? -std::sqrt(kept) : std::sqrt(kept)) * t;
@@ -159,7 +160,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
         const double pull = std::clamp(wanted, -cone, cone);
         ball.velocity += pull * t;
         ball.spin -= 2 * pull / r;
-        if (surface.yielding > 0) w.movers[at(c.mover)].rate -= pull * mass * surface.lever_tangent * surface.yielding;
+        if (surface.yielding > 0) at(w.movers, c.mover).rate -= pull * mass * surface.lever_tangent * surface.yielding;
     }
     if (c.collapsed) {
         work.slide = c;
@@ -186,7 +187,7 @@ void gather(WorldState& w, std::size_t i, const Contact& first) {
     const auto take = [&](int mover, const Pose& pose) {
         for (const Touch& touch : w.touches) {
             const Vec2 normal = mover < 0 ? touch.normal : pose.to_world(touch.normal);
-            w.contacts.push_back({normal, touch.gap, touch.hollow, mover, touch.solid, touch.leaf, touch.piece});
+            w.contacts.push_back({normal, touch.gap, touch.concave_radius, mover, touch.solid, touch.leaf, touch.piece});
         }
         w.touches.clear();
     };
@@ -226,8 +227,8 @@ bool settle_in_wedge(WorldState& w, std::size_t i) {
         if (std::fabs(wedge) < 1e-9) continue;
         const Vec2 point = ball.position - w.physics.ball_radius * c.normal;
         const Vec2 other = ball.position - w.physics.ball_radius * first->normal;
-        const double s1 = dot(first->normal, motive_of(w, *first, other, {0, 0}).velocity);
-        const double s2 = dot(c.normal, motive_of(w, c, point, {0, 0}).velocity);
+        const double s1 = dot(first->normal, surface_motion_of(w, *first, other, {0, 0}).velocity);
+        const double s2 = dot(c.normal, surface_motion_of(w, c, point, {0, 0}).velocity);
         ball.velocity = Vec2(s1 * c.normal.y() - s2 * first->normal.y(), s2 * first->normal.x() - s1 * c.normal.x()) / wedge;
         return true;
     }
@@ -273,7 +274,7 @@ void rest_in_wedge(WorldState& w, std::size_t i) {
 /// How far the ball's centre is from the centre of curvature of the surface that it touches: infinity on what is straight or hollow.
 double turning_radius(const WorldState& w, const Ball& ball, const Contact& c) {
     if (c.piece < 0) return infinity;
-    return nearest_on(w.prepared->fixed.pieces()[at(c.piece)], ball.position).round + w.physics.ball_radius;
+    return nearest_on(at(w.prepared->fixed.pieces(), c.piece), ball.position).convex_radius + w.physics.ball_radius;
 }
 
 /// In contact, gravity is taken up by the surfaces the ball stays on: what is left of it lies in the cone they leave free. On something

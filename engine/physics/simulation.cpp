@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 
 namespace pinfield {
@@ -29,7 +30,7 @@ public:
 
     void after_tick(World& world) {
         for (const Event& event : world.events()) {
-            ++summary_.events[static_cast<std::size_t>(event.kind)];
+            ++at(summary_.events, event.kind);
             if (event.kind == EventKind::quarantine) summary_.finite = false;
         }
         const double r = world.program().physics.ball_radius;

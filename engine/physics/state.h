@@ -14,7 +14,7 @@ namespace pinfield {
 struct Contact {
     Vec2 normal{0, 0};    ///< unit, world, out of the surface
     double gap = 0;
-    double hollow = 0;
+    double concave_radius = 0;
     int mover = -1;       ///< -1: the static field
     int solid = -1, leaf = -1, piece = -1;
     bool collapsed = false;  ///< it no longer bounces: the ball stays on it
@@ -31,7 +31,6 @@ struct BallWork {
     double travelled = 0;        ///< metres, since the tick began
     Contact slide;               ///< the surface on which it last stopped bouncing
     std::int64_t slide_tick = -2;
-    std::int64_t last_moved = 0; ///< tick in which its bits last changed
     bool follows = false;        ///< its path bends with something round that it rolls over
     bool embedded = false;       ///< an edit put it into a solid: it is being let out
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
@@ -91,8 +90,8 @@ struct WorldState {
     // Scratch, kept so that the steady state allocates nothing.
     std::vector<Contact> contacts;
     std::vector<Touch> touches;
-    std::vector<int> together;
-    std::vector<BallPlan> plans;  ///< of the balls in `together`, by their index among all
+    std::vector<int> coupled;
+    std::vector<BallPlan> plans;  ///< of the balls in `coupled`, by their index among all
     std::vector<Ball> balls_before;
 
     const Program& program() const { return *prepared->program; }
@@ -123,13 +122,13 @@ double room_without_mechanisms(const WorldState& w, const Vec2& centre);
 
 /// Runs the rest of the tick for one ball that meets nothing but the static field. False, with the ball anywhere, when it
 /// would travel farther than `limit`.
-bool advance_alone(WorldState& w, std::size_t i, double limit);
-/// Runs the tick for the balls in w.together and all movers, events in order of time.
-void advance_together(WorldState& w);
+bool advance_uncoupled(WorldState& w, std::size_t i, double limit);
+/// Runs the tick for the balls in w.coupled and all movers, events in order of time.
+void advance_coupled(WorldState& w);
 /// Puts a waiting ball back where it starts, unless a mover stands there.
 void try_put_back(WorldState& w, std::size_t i);
 /// One tick of a ball that sits in a solid after an edit: out along the gradient at bounded speed.
-void let_out(WorldState& w, std::size_t i);
+void depenetrate(WorldState& w, std::size_t i);
 
 /// One slice of a sweep against the static field from the ball's present place: at most `rest` seconds, less for fast balls.
 struct Slice {

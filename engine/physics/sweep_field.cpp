@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/physics/sweep_tree.h"
 #include "engine/program/evaluate.h"
 
@@ -9,7 +10,6 @@ namespace pinfield {
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// Ball radii. A longer list lasts longer and takes longer to go through.
 constexpr double neighbour_reach = 4;
@@ -34,14 +34,14 @@ FieldSweep SweptField::sweep(const Motion& motion, double duration, double radiu
     // Each entry is swept for the whole duration, so that what is found does not depend on the order of the visits by a bit.
     const auto visit = [&](int entry) {
         if (entry >= piece_count) {
-            const int solid = field_->tree_solids[at(entry - piece_count)];
+            const int solid = at(field_->tree_solids, entry - piece_count);
             if (!in_layers(solid, layers)) return;
             const TreeSweep tree = sweep_tree(*field_, solid, motion, duration, radius, band, evaluations);
             nearest = std::min(nearest, tree.start_distance);
             out.clear_until = std::min(out.clear_until, tree.clear_until);
             if (is_first(tree.time, entry)) out.hit = {tree.time, tree.normal, 0, solid, tree.leaf, -1};
         } else {
-            const SweepPiece& piece = pieces_[at(entry)];
+            const SweepPiece& piece = at(pieces_, entry);
             if (!(piece.layers & layers)) return;
             const double distance = distance_to(piece, motion.position);
             nearest = std::min(nearest, distance);
@@ -94,8 +94,8 @@ bool SweptField::gather(const Vec2& p, double needed, double radius, Neighbours&
 
 double SweptField::least_distance(int entry, const Vec2& p) const {
     const int tree = entry - static_cast<int>(pieces_.size());
-    if (tree < 0) return distance_to(pieces_[at(entry)], p);
-    return field_->solids[at(field_->tree_solids[at(tree)])].bounds.distance(p);
+    if (tree < 0) return distance_to(at(pieces_, entry), p);
+    return at(field_->solids, at(field_->tree_solids, tree)).bounds.distance(p);
 }
 
 void SweptField::touching(const Vec2& p, double radius, double skin, LayerMask layers, std::vector<Touch>& out) const {
@@ -103,18 +103,18 @@ void SweptField::touching(const Vec2& p, double radius, double skin, LayerMask l
     const int piece_count = static_cast<int>(pieces_.size());
     field_->bvh.overlapping(Box2{p, p}.grown(radius + skin), [&](int entry) {
         if (entry >= piece_count) {
-            const int solid = field_->tree_solids[at(entry - piece_count)];
+            const int solid = at(field_->tree_solids, entry - piece_count);
             if (!in_layers(solid, layers)) return;
             const Nearest truth = nearest_of_solid(*field_, solid, p);
             const double size = length(truth.gradient);
             if (truth.distance - radius <= skin && size > 0)
                 out.push_back({truth.gradient / size, truth.distance - radius, 0, solid, truth.leaf, -1});
         } else {
-            const SweepPiece& piece = pieces_[at(entry)];
+            const SweepPiece& piece = at(pieces_, entry);
             if (!(piece.layers & layers)) return;
             const Foot foot = nearest_on(piece, p);
             if (foot.outside && foot.distance - radius <= skin)
-                out.push_back({foot.normal, foot.distance - radius, foot.hollow, piece.solid, piece.leaf, entry});
+                out.push_back({foot.normal, foot.distance - radius, foot.concave_radius, piece.solid, piece.leaf, entry});
         }
     });
     std::sort(out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),

@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "engine/core/at.h"
 #include "engine/physics/sweep_pieces.h"
 
 namespace pinfield {
@@ -10,7 +11,7 @@ namespace pinfield {
 struct FieldHit {
     double time = infinity;   ///< of the contact; when none, infinity
     Vec2 normal{0, 0};        ///< unit, out of the solid
-    double hollow = 0;        ///< radius of a hollow arc met from inside, else 0
+    double concave_radius = 0;        ///< radius of a hollow arc met from inside, else 0
     int solid = -1, leaf = -1;
     int piece = -1;           ///< of a lowered solid
 };
@@ -25,7 +26,7 @@ struct FieldSweep {
 struct Touch {
     Vec2 normal{0, 0};
     double gap = 0;  ///< metres between ball and surface
-    double hollow = 0;
+    double concave_radius = 0;
     int solid = -1, leaf = -1, piece = -1;
 };
 
@@ -67,7 +68,7 @@ private:
     bool gather(const Vec2& p, double needed, double radius, Neighbours& near) const;
     double least_distance(int entry, const Vec2& p) const;
     bool in_layers(int solid, LayerMask layers) const {
-        return (field_->solids[static_cast<std::size_t>(solid)].layers & layers) != 0;
+        return (at(field_->solids, solid).layers & layers) != 0;
     }
 
     const Field* field_;

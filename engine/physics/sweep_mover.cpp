@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/evaluate.h"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr int most_evaluations = 64;
 constexpr double largest_turn = pi / 4;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// What a rotating part looks like from a point in its frame: the nearest surface, and a certified time without contact.
 struct View {
@@ -49,7 +49,7 @@ Bounds bounds_over(const Rotation& r, const Motion& ball, double t, double end) 
     const Motion from = ball.from(t);
     const double turn = r.top_rate(t, end), speed = from.top_speed(end - t);
     const double lever = length(from.position - r.mover.pivot) + from.travel(end - t);
-    return {speed + turn * std::min(lever, r.mover.lever),
+    return {speed + turn * std::min(lever, r.mover.bounding_radius),
             length(ball.acceleration) + 2 * turn * speed + turn * turn * lever + std::fabs(r.acceleration) * lever};
 }
 
@@ -82,11 +82,11 @@ View look(const Rotation& r, const Vec2& x, const Vec2& v, const Bounds& bounds,
     };
     for (std::size_t i = 0; i < r.swept.pieces().size(); ++i) {
         const SweepPiece& piece = r.swept.pieces()[i];
-        const Solid& solid = field.solids[at(piece.solid)];
+        const Solid& solid = at(field.solids, piece.solid);
         if ((solid.layers & layers) == 0) continue;
         const Foot foot = nearest_on(piece, x);
         double certified = lipschitz(foot.distance);
-        if (piece.turn == 0 || field.ops[at(solid.root)].kernels->convex) {
+        if (piece.turn == 0 || at(field.ops, solid.root).kernels->convex) {
             certified = std::max(certified, plane_step(foot.distance - radius - level, dot(foot.normal, v), bounds.acceleration));
         } else if (piece.turn > 0) {  // an arc is part of a disc, which is convex
             const Vec2 out = x - piece.centre;
@@ -94,13 +94,13 @@ View look(const Rotation& r, const Vec2& x, const Vec2& v, const Bounds& bounds,
             if (far > piece.radius)
                 certified = std::max(certified, plane_step(far - piece.radius - radius - level, dot(out, v) / far, bounds.acceleration));
         }
-        consider(foot.distance, certified, {0, foot.normal, foot.hollow, piece.solid, piece.leaf, static_cast<int>(i)});
+        consider(foot.distance, certified, {0, foot.normal, foot.concave_radius, piece.solid, piece.leaf, static_cast<int>(i)});
     }
     for (const int solid : field.tree_solids) {
-        if ((field.solids[at(solid)].layers & layers) == 0) continue;
+        if ((at(field.solids, solid).layers & layers) == 0) continue;
         const Nearest n = nearest_of_solid(field, solid, x);
         double certified = lipschitz(n.distance);
-        if (n.certified && field.ops[at(field.solids[at(solid)].root)].kernels->convex)
+        if (n.certified && at(field.ops, at(field.solids, solid).root).kernels->convex)
             certified = std::max(certified, plane_step(n.distance - radius - level, dot(n.gradient, v), bounds.acceleration));
         consider(n.distance, certified, {0, n.gradient, 0, solid, n.leaf, -1});
     }
@@ -165,7 +165,7 @@ Vec2 velocity_of(const Mover& mover, const MoverState& state, const Vec2& p) {
 MoverHit sweep_mover(const SweptField& swept, const Mover& mover, const MoverState& state, const Motion& ball, double duration,
                      double radius, const ContactBand& band, LayerMask layers, SweepStats& stats) {
     const double swing = state.rotates ? 0.0 : std::fabs(state.q) + std::fabs(state.rate) * duration;
-    const double gap = length(ball.position - mover.pivot) - mover.lever - radius - swing;
+    const double gap = length(ball.position - mover.pivot) - mover.bounding_radius - radius - swing;
     if (gap > ball.travel(duration) + band.tolerance) return {};
     const bool still = state.rate == 0 && state.acceleration == 0;
     if (state.rotates && !still) {

@@ -251,7 +251,7 @@ Foot nearest_on(const SweepPiece& p, const Vec2& point) {
     foot.distance = at_a ? to_a : to_b;
     foot.normal = foot.distance > 0 ? Vec2((at_a ? from_a : from_b) / foot.distance) : Vec2(0, 1);
     foot.outside = at_a ? p.corner_a : p.corner_b;
-    foot.round = 0;
+    foot.convex_radius = 0;
     return foot;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 
 namespace pinfield {
@@ -15,7 +16,6 @@ using sdf::Clearance;
 
 constexpr int most_evaluations = 64;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 /// One question to a tree; `lip` below is the step that a Lipschitz constant certifies at any node.
 struct Walk {
@@ -57,16 +57,16 @@ struct Walk {
         const double* params = field.params.data() + op.params;
         const sdf::Slack slack = op.kernels->slack(params);
         const double wider = margin + (op.child_count - 1) * std::max(slack.below, slack.above) * op.scale;
-        Clearance all = of(field.links[at(op.first_link)], motion, wider);
+        Clearance all = of(at(field.links, op.first_link), motion, wider);
         for (int i = 1; i < op.child_count; ++i)
-            all = op.kernels->combine_clearance(params, all, of(field.links[at(op.first_link + i)], motion, wider));
+            all = op.kernels->combine_clearance(params, all, of(at(field.links, op.first_link + i), motion, wider));
         return all;
     }
 
     Clearance modify(const Op& op, const Motion& motion, double margin) const {
         const sdf::Affine change = op.kernels->affine(field.params.data() + op.params);
         const double offset = change.offset * op.scale;
-        const int child = field.links[at(op.first_link)];
+        const int child = at(field.links, op.first_link);
         const Clearance outer = of(child, motion, margin - offset);  // f > margin  <=>  sign d > margin - offset
         if (change.absolute) {
             const Clearance inner = of(child, motion, margin + offset);  // |d| < -offset - margin, on both sides
@@ -78,9 +78,9 @@ struct Walk {
 
     Clearance images(const Op& op, const Motion& motion, double margin) const {
         Clearance all{infinity, 0};
-        const int child = field.links[at(op.first_link)];
+        const int child = at(field.links, op.first_link);
         for (int i = 0; i < op.image_count; ++i) {
-            const Similarity child_from_field = field.images[at(op.first_image + i)].inverse();
+            const Similarity child_from_field = at(field.images, op.first_image + i).inverse();
             const Motion seen{child_from_field * motion.position, child_from_field.direction(motion.velocity),
                               child_from_field.direction(motion.acceleration)};
             all = sdf::min(all, of(child, seen, margin));
@@ -97,7 +97,7 @@ struct Walk {
     }
 
     Clearance of(int index, const Motion& motion, double margin) const {
-        const Op& op = field.ops[at(index)];
+        const Op& op = at(field.ops, index);
         if (op.kernels->form == sdf::Form::shape) return leaf(op, index, motion, margin);
         if (op.kernels->form == sdf::Form::warp) return by_value(op, index, motion, margin);
         Clearance c = op.kernels->form == sdf::Form::fold     ? fold(op, motion, margin)
@@ -120,13 +120,13 @@ sdf::Clearance clearance(const Field& field, int op, const Motion& motion, doubl
 TreeSweep sweep_tree(const Field& field, int solid, const Motion& motion, double duration, double radius,
                      const ContactBand& band, int& evaluations) {
     TreeSweep out;
-    const int root = field.solids[at(solid)].root;
+    const int root = at(field.solids, solid).root;
     const auto truth_at = [&](double t) {
         ++evaluations;
         return nearest_of_solid(field, solid, motion.at(t));
     };
     const Nearest start = truth_at(0);
-    const double lipschitz = std::max(1.0, start.certified ? 1.0 : field.ops[at(root)].exactness.lipschitz);
+    const double lipschitz = std::max(1.0, start.certified ? 1.0 : at(field.ops, root).exactness.lipschitz);
     out.start_distance = start.distance / lipschitz;
     double gap = start.distance - radius, t = 0, level = band.target();
     if (gap / lipschitz > motion.travel(duration) + band.tolerance) return out;

@@ -2,6 +2,7 @@
 // constraint filters as taught in Stanford's CS248B), then continuous detection for the path that comes out of it.
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
 
@@ -9,7 +10,7 @@ namespace pinfield {
 
 namespace {
 
-constexpr double let_out_speed = 2;  // m/s
+constexpr double depenetration_speed = 2;  // m/s
 
 bool finite(const Ball& b) { return b.position.allFinite() && b.velocity.allFinite() && std::isfinite(b.spin); }
 
@@ -57,10 +58,10 @@ double longest_way(const WorldState& w, std::size_t i) {
 void apply_inputs(WorldState& w) {
     for (const InputEdge& edge : w.edges) {
         if (edge.input < 0 || static_cast<std::size_t>(edge.input) >= w.pressed.size()) continue;
-        if (w.pressed[static_cast<std::size_t>(edge.input)] == edge.pressed) continue;
-        w.pressed[static_cast<std::size_t>(edge.input)] = edge.pressed;
+        if (at(w.pressed, edge.input) == edge.pressed) continue;
+        at(w.pressed, edge.input) = edge.pressed;
         for (const Mover& mover : w.program().movers) {
-            const Part& part = w.program().parts[static_cast<std::size_t>(mover.part)];
+            const Part& part = at(w.program().parts, mover.part);
             if (std::find(part.inputs.begin(), part.inputs.end(), edge.input) == part.inputs.end()) continue;
             w.events.push_back({w.tick, w.start_time(), edge.pressed ? EventKind::press : EventKind::release, {}, part.origin,
                                 mover.pivot, {0, 0}, 0});
@@ -72,9 +73,9 @@ void apply_inputs(WorldState& w) {
 void drive_movers(WorldState& w) {
     for (std::size_t m = 0; m < w.movers.size(); ++m) {
         const Mover& mover = w.program().movers[m];
-        const Part& part = w.program().parts[static_cast<std::size_t>(mover.part)];
+        const Part& part = at(w.program().parts, mover.part);
         const bool held = std::any_of(part.inputs.begin(), part.inputs.end(),
-                                      [&](int input) { return w.pressed[static_cast<std::size_t>(input)]; });
+                                      [&](int input) { return at(w.pressed, input); });
         switch_mover(w.movers[m], held);
         if (drive_mover(w.program(), static_cast<int>(m), w.movers[m], w.physics.step))
             w.events.push_back({w.tick, w.start_time(), EventKind::launch, {}, part.origin, mover.pivot, w.movers[m].axis,
@@ -130,7 +131,7 @@ void check_drains(WorldState& w, std::size_t i) {
             if (!drains(w.program(), sensor, p)) continue;
             ball.state = BallState::drained;
             w.events.push_back({w.tick, w.start_time() + w.physics.step, EventKind::drain, ball.id,
-                                w.program().parts[static_cast<std::size_t>(sensor.part)].origin, p, {0, 0}, length(ball.velocity)});
+                                at(w.program().parts, sensor.part).origin, p, {0, 0}, length(ball.velocity)});
             return;
         }
     }
@@ -144,14 +145,14 @@ void order_events(std::vector<Event>& events) {
     if (!std::is_sorted(events.begin(), events.end(), before)) std::stable_sort(events.begin(), events.end(), before);
 }
 
-/// Ticks of balls that surely meet no mover and no other ball; the others are put into w.together.
-void run_alone(WorldState& w) {
-    w.together.clear();
+/// Ticks of balls that surely meet no mover and no other ball; the others are put into w.coupled.
+void run_uncoupled(WorldState& w) {
+    w.coupled.clear();
     const bool pairs = w.options.balls_collide && w.balls.size() > 1;
     bool everybody = false;
     for (std::size_t i = 0; i < w.balls.size() && !everybody; ++i) {
         if (!w.in_play(i)) continue;
-        if (w.work[i].embedded) { let_out(w, i); continue; }
+        if (w.work[i].embedded) { depenetrate(w, i); continue; }
         Ball& ball = w.balls[i];
         const double way = longest_way(w, i);
         if (ball.state == BallState::resting && !pairs) continue;
@@ -162,19 +163,19 @@ void run_alone(WorldState& w) {
             continue;
         }
         if (mover_near(w, i, way, false) || (pairs && ball_near(w, i, way))) {
-            w.together.push_back(static_cast<int>(i));
+            w.coupled.push_back(static_cast<int>(i));
         } else if (ball.state == BallState::rolling) {
             // Ways are bounds only while nothing adds speed: a ball that a kick sends farther starts again among the others.
             const Ball start = ball;
             const BallWork work = w.work[i];
             const std::size_t events = w.events.size(), paths = w.paths.size();
-            if (advance_alone(w, i, way * (1 + 1e-9) + w.band.tolerance)) continue;
+            if (advance_uncoupled(w, i, way * (1 + 1e-9) + w.band.tolerance)) continue;
             w.balls[i] = start;
             w.work[i] = work;
             w.events.resize(events);
             w.paths.resize(paths);
             if (pairs) everybody = true;
-            else w.together.push_back(static_cast<int>(i));
+            else w.coupled.push_back(static_cast<int>(i));
         }
     }
     if (!everybody) return;
@@ -182,9 +183,9 @@ void run_alone(WorldState& w) {
         if (w.work[i].time > 0 && !w.work[i].embedded) { w.balls[i] = w.balls_before[i]; begin_tick(w, i); }
     w.events.erase(std::remove_if(w.events.begin(), w.events.end(), [](const Event& e) { return e.ball.value != 0; }), w.events.end());
     w.paths.clear();
-    w.together.clear();
+    w.coupled.clear();
     for (std::size_t i = 0; i < w.balls.size(); ++i)
-        if (w.in_play(i) && !w.work[i].embedded) w.together.push_back(static_cast<int>(i));
+        if (w.in_play(i) && !w.work[i].embedded) w.coupled.push_back(static_cast<int>(i));
 }
 
 }  // namespace
@@ -200,7 +201,7 @@ double room_without_mechanisms(const WorldState& w, const Vec2& centre) {
     return room;
 }
 
-void let_out(WorldState& w, std::size_t i) {
+void depenetrate(WorldState& w, std::size_t i) {
     Ball& ball = w.balls[i];
     const double r = w.physics.ball_radius, h = w.physics.step;
     std::vector<double> q;
@@ -213,7 +214,7 @@ void let_out(WorldState& w, std::size_t i) {
         return;
     }
     const Vec2 n = gap.gradient / size;
-    ball.position += std::min(missing, let_out_speed * h) * n;
+    ball.position += std::min(missing, depenetration_speed * h) * n;
     const double into = dot(n, ball.velocity);
     if (into < 0) ball.velocity -= into * n;
     if (w.physics.integrator == Integrator::symplectic_euler) ball.velocity -= h * w.physics.gravity;  // held: no weight yet
@@ -236,8 +237,8 @@ void run_tick(WorldState& w) {
         if (w.balls[i].state == BallState::resting && mover_near(w, i, 0, true)) w.balls[i].state = BallState::rolling;
         begin_tick(w, i);
     }
-    run_alone(w);
-    advance_together(w);
+    run_uncoupled(w);
+    advance_coupled(w);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (!w.in_play(i)) continue;
         filter_positions(w, i);

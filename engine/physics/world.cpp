@@ -2,10 +2,12 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/core/hash.h"
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/parts.h"
+#include "engine/scene/parts/spawn.h"
 
 namespace pinfield {
 
@@ -13,7 +15,6 @@ struct World::State : WorldState {};
 
 namespace {
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 std::vector<SweptField> swept_movers(const Program& program) {
     std::vector<SweptField> swept;
@@ -91,8 +92,8 @@ void try_put_back(WorldState& w, std::size_t i) {
 
 std::string_view name(EventKind kind) {
     constexpr std::string_view names[] = {"hit",     "kick",        "ball_hit", "drain",      "press",
-                                          "release", "flipper_end", "launch",   "quarantine", "jam"};
-    return names[static_cast<std::size_t>(kind)];
+                                          "release", "end_stop", "launch",   "quarantine", "jam"};
+    return at(names, kind);
 }
 
 World::World(ProgramPtr program, WorldOptions options) : state_(std::make_unique<State>()) {
@@ -137,12 +138,6 @@ void World::add_spawned_balls() {
         }
 }
 
-void World::remove_balls() {
-    state_->balls.clear();
-    state_->work.clear();
-    state_->near.clear();
-}
-
 void World::put_back(BallId id) {
     const std::size_t i = index_of(*state_, id);
     if (i < state_->balls.size()) try_put_back(*state_, i);
@@ -165,7 +160,7 @@ void World::set_program(ProgramPtr program) {
     w.near.assign(w.balls.size(), {});
     take_physics(w);
     fresh_movers(w);
-    const auto origin = [](const Program& p, std::size_t m) { return p.parts[at(p.movers[m].part)].origin; };
+    const auto origin = [](const Program& p, std::size_t m) { return at(p.parts, p.movers[m].part).origin; };
     for (std::size_t m = 0; m < w.movers.size(); ++m)
         for (std::size_t k = 0; k < movers.size(); ++k)
             if (origin(w.program(), m) == origin(*before->program, k) && w.movers[m].rotates == movers[k].rotates)
@@ -232,7 +227,7 @@ Gap gap_at(const Program& program, std::span<const double> q, const Vec2& p, Lay
     Gap gap;
     const auto take = [&](const Field& field, const Nearest& n, int mover, const Pose& pose) {
         if (n.solid < 0 || n.distance >= gap.distance) return;
-        const NodeId node = field.solids[at(n.solid)].origin;
+        const NodeId node = at(field.solids, n.solid).origin;
         gap = {n.distance, mover < 0 ? n.gradient : pose.to_world(n.gradient), node, mover};
     };
     take(program.fixed, nearest(program.fixed, p, layers, reach), -1, {});

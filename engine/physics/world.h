@@ -74,7 +74,6 @@ public:
     BallId add_ball(const Vec2& position, const Vec2& velocity, double spin = 0);
     /// Adds one ball per spawn of the table.
     void add_spawned_balls();
-    void remove_balls();
     /// Puts a drained ball back where it started; when a mover stands there, at the start of the first tick in which it does not.
     void put_back(BallId ball);
     /// Moves a ball (the editor's throw).

@@ -22,7 +22,7 @@ public:
             const Box2 box = leaves[i].endless ? Box2{middle, middle} : leaves[i].bounds;
             extent = std::max({extent, box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()});
             for (std::size_t k = 0; k < leaves[i].outline.size(); ++k)
-                edges_.push_back(edge_of(leaves[i].outline[k], static_cast<int>(i), leaves[i].origin(k)));
+                edges_.push_back(cut_piece_of(leaves[i].outline[k], static_cast<int>(i), leaves[i].origin(k)));
         }
         // Thousands of roundings wide, so that outlines meant to touch do; far below the 1e-9 that lowering promises.
         tolerance_ = 1e-12 * extent;
@@ -31,7 +31,7 @@ public:
     std::vector<OwnedPiece> boundary() {
         cut_all(edges_, tolerance_);
         std::vector<OwnedPiece> out;
-        for (const Edge& edge : edges_)
+        for (const CutPiece& edge : edges_)
             for (const Piece& part : parts_of(edge)) judge(edge, part, out);
         return out;
     }
@@ -40,7 +40,7 @@ private:
     /// Keeps the part when the solid lies on one side of it only. Sides are told leaf by leaf: the part's own leaf is
     /// on its left; any other holds both sides or none, unless its outline runs along here, which the sign of its
     /// gradient then resolves. Of parts that run along each other the first leaf's stays.
-    void judge(const Edge& edge, const Piece& part, std::vector<OwnedPiece>& out) {
+    void judge(const CutPiece& edge, const Piece& part, std::vector<OwnedPiece>& out) {
         const Probe probe = probe_of(part, edge.cuts);
         std::vector<char> left(leaves_.size(), 0), right(leaves_.size(), 0);
         for (std::size_t i = 0; i < leaves_.size(); ++i) {
@@ -82,7 +82,7 @@ private:
     const Field& field_;
     const std::vector<LeafImage>& leaves_;
     Membership membership_;
-    std::vector<Edge> edges_;
+    std::vector<CutPiece> edges_;
     double tolerance_ = 0;
 };
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/at.h"
+
 namespace pinfield {
 namespace {
 
@@ -112,7 +114,7 @@ private:
         for (std::size_t i = first; i < first + count; ++i) {
             Entry& e = entries_[i];
             e.bin = std::min(static_cast<int>((e.centre[axis] - centres.lo[axis]) * bins_per_metre), bin_count - 1);
-            bins[static_cast<std::size_t>(e.bin)].add({e.extent, 1});
+            at(bins, e.bin).add({e.extent, 1});
         }
         const int border = best_border(bins);
         std::size_t left_count = 0, right_count = 0;
@@ -153,7 +155,7 @@ Bvh::Bvh(std::span<const Box2> boxes) {
 }
 
 void Bvh::refit(std::span<const Box2> boxes) {
-    const auto still = [&](int entry) { return is_searchable(boxes[static_cast<std::size_t>(entry)]); };
+    const auto still = [&](int entry) { return is_searchable(at(boxes, entry)); };
     const bool same_kind = boxes.size() == order_.size() + unbounded_.size() &&
                            std::all_of(order_.begin(), order_.end(), still) &&
                            std::none_of(unbounded_.begin(), unbounded_.end(), still);
@@ -176,7 +178,7 @@ void Bvh::refit(std::span<const Box2> boxes) {
         }
         Extent extent;
         for (std::size_t k = first; k < first + static_cast<std::size_t>(node.count); ++k)
-            extent.add(extent_of(boxes[static_cast<std::size_t>(order_[k])]));
+            extent.add(extent_of(at(boxes, order_[k])));
         node = node_around(extent, node.first, node.count);
     }
 }

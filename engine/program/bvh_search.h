@@ -1,5 +1,6 @@
 // The searches of bvh.h, as templates over what is done with an entry.
 #pragma once
+#include "engine/core/at.h"
 #include "engine/program/bvh.h"
 
 namespace pinfield {
@@ -38,7 +39,7 @@ void Bvh::nearest_squared(const Vec2& p, double reach_squared, Visit&& visit) co
     Pending here{detail::squared_distance(nodes_[0], p), 0};
     while (true) {
         if (here.distance <= reach) {
-            const TreeNode& node = nodes_[static_cast<std::size_t>(here.node)];
+            const TreeNode& node = at(nodes_, here.node);
             if (node.count == 0) {
                 const TreeNode* children = nodes_.data() + node.first;
                 const Pending left{detail::squared_distance(children[0], p), node.first};
@@ -50,7 +51,7 @@ void Bvh::nearest_squared(const Vec2& p, double reach_squared, Visit&& visit) co
                 here = right_first ? right : left;
                 continue;
             }
-            for (int i = 0; i < node.count; ++i) reach = visit(order_[static_cast<std::size_t>(node.first + i)]);
+            for (int i = 0; i < node.count; ++i) reach = visit(at(order_, node.first + i));
         }
         if (depth == 0) return;
         here = pending[--depth];
@@ -73,13 +74,13 @@ void Bvh::overlapping(const Box2& box, Visit&& visit) const {
     int depth = 0;
     pending[depth++] = 0;
     while (depth > 0) {
-        const TreeNode& node = nodes_[static_cast<std::size_t>(pending[--depth])];
+        const TreeNode& node = at(nodes_, pending[--depth]);
         if (!detail::overlap(node, box)) continue;
         if (node.count == 0) {
             pending[depth++] = node.first + 1;
             pending[depth++] = node.first;
         } else {
-            for (int i = 0; i < node.count; ++i) visit(order_[static_cast<std::size_t>(node.first + i)]);
+            for (int i = 0; i < node.count; ++i) visit(at(order_, node.first + i));
         }
     }
 }

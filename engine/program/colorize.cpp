@@ -1,9 +1,10 @@
-// A raster's colours on the CPU: what `pinfield render` writes. The editor's shader follows the same recipe on the GPU.
+// A raster's colors on the CPU: what `pinfield render` writes. The editor's shader follows the same recipe on the GPU.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
+#include "engine/core/at.h"
 #include "engine/core/color.h"
 #include "engine/program/raster.h"
 
@@ -28,7 +29,7 @@ void store(const Rgb& c, unsigned char* pixel) {
         pixel[i] = static_cast<unsigned char>(255 * std::sqrt(std::clamp(c[i], 0.0f, 1.0f)) + 0.5f);
 }
 
-/// The theme: a night-blue playfield, slate walls. Blue against sand stays apart for every common colour blindness.
+/// The theme: a night-blue playfield, slate walls. Blue against sand stays apart for every common color blindness.
 const Rgb playfield_low = from_srgb({22, 30, 44}), playfield_high = from_srgb({36, 50, 70});
 const Rgb wall = from_srgb({104, 121, 143});
 const Rgb band_outside = from_srgb({214, 164, 92}), band_inside = from_srgb({86, 148, 205}), zero_line = from_srgb({250, 248, 240});
@@ -37,14 +38,14 @@ struct Sampler {
     const Raster& raster;
     float pixel;  // metres
 
-    float at(int x, int y) const {
+    float distance(int x, int y) const {
         x = std::clamp(x, 0, raster.width - 1);
         y = std::clamp(y, 0, raster.height - 1);
-        return raster.distance[static_cast<std::size_t>(y * raster.width + x)];
+        return at(raster.distance, y * raster.width + x);
     }
     /// Gradient of the distance by central differences, y up.
     Eigen::Vector2f gradient(int x, int y) const {
-        return Eigen::Vector2f(at(x + 1, y) - at(x - 1, y), at(x, y - 1) - at(x, y + 1)) / (2 * pixel);
+        return Eigen::Vector2f(distance(x + 1, y) - distance(x - 1, y), distance(x, y - 1) - distance(x, y + 1)) / (2 * pixel);
     }
 };
 
@@ -53,7 +54,7 @@ Rgb shade_outside(const Sampler& s, int x, int y, float d) {
     const float height = 1 - (static_cast<float>(y) + 0.5f) / static_cast<float>(s.raster.height);
     const Rgb base = mix(playfield_low, playfield_high, height);
     const int shift = static_cast<int>(0.004f / s.pixel + 0.5f);  // the light comes from the upper left
-    const float lit = s.at(x - shift, y - shift);
+    const float lit = s.distance(x - shift, y - shift);
     const float contact = 1 - 0.35f * (1 - smoothstep(0, 0.010f, d));
     const float cast = 1 - 0.45f * (1 - smoothstep(-0.003f, 0.006f, lit));
     return base * (contact * cast);
@@ -75,7 +76,7 @@ Rgb shaded(const Sampler& s, int x, int y, const std::vector<Rgb>& materials) {
     Rgb out = solid < 1 ? shade_outside(s, x, y, std::max(d, 0.0f)) : Rgb(0, 0, 0);
     if (solid > 0) {
         const int material = s.raster.material[i];
-        const Rgb& color = material < 0 ? wall : materials[static_cast<std::size_t>(material)];
+        const Rgb& color = material < 0 ? wall : at(materials, material);
         out = mix(out, shade_inside(s, x, y, std::min(d, 0.0f), color), solid);
     }
     return out;
@@ -83,7 +84,7 @@ Rgb shaded(const Sampler& s, int x, int y, const std::vector<Rgb>& materials) {
 
 /// Bands every 10 mm with a line each, the zero line white; darker towards the outline, so that depth can be read.
 Rgb isolines(const Sampler& s, int x, int y) {
-    const float d = s.at(x, y), spacing = 0.010f;
+    const float d = s.distance(x, y), spacing = 0.010f;
     const float away = std::fabs(d);
     Rgb out = d < 0 ? band_inside : band_outside;
     out *= 0.55f + 0.45f * smoothstep(0, 0.06f, away);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "engine/core/error_codes.h"
-#include "engine/program/cook.h"
+#include "engine/program/compile_item.h"
 #include "engine/program/field.h"
 
 namespace pinfield {
@@ -12,26 +12,26 @@ namespace {
 constexpr std::size_t most_layers = 32;
 
 /// Tells the index of the solid, or -1 when the node has no shape.
-int add_static_solid(Kitchen& kitchen, const Item& item, int part, Program& program) {
-    Field solid = cook_solid(kitchen, item, world_from_local(kitchen.scene, item.node));
+int add_static_solid(CompileContext& context, const Item& item, int part, Program& program) {
+    Field solid = compile_solid(context, item, world_from_local(context.scene, item.node));
     for (Solid& s : solid.solids) s.part = part;
     append(program.fixed, solid);
     return solid.solids.empty() ? -1 : static_cast<int>(program.fixed.solids.size()) - 1;
 }
 
-void add_part(Kitchen& kitchen, const Item& item, Program& program) {
+void add_part(CompileContext& context, const Item& item, Program& program) {
     const int index_of_part = static_cast<int>(program.parts.size());
-    program.parts.push_back(cook_part(kitchen, item));
+    program.parts.push_back(compile_part(context, item));
     Part& part = program.parts.back();
     switch (item.role) {
         case Role::solid:
-        case Role::boundary: part.solid = add_static_solid(kitchen, item, index_of_part, program); break;
+        case Role::boundary: part.solid = add_static_solid(context, item, index_of_part, program); break;
         case Role::mover:
             part.mover = static_cast<int>(program.movers.size());
-            program.movers.push_back(cook_mover(kitchen, item, index_of_part));
+            program.movers.push_back(compile_mover(context, item, index_of_part));
             break;
         case Role::sensor: {
-            Field field = cook_solid(kitchen, item, part.world_from_part);
+            Field field = compile_solid(context, item, part.world_from_part);
             if (field.solids.empty()) break;
             part.sensor = static_cast<int>(program.sensors.size());
             index(field);
@@ -43,18 +43,18 @@ void add_part(Kitchen& kitchen, const Item& item, Program& program) {
 }
 
 /// Layers without a domain of their own get the table's box; more than one domain a layer is the author's mistake.
-void add_missing_domain(Kitchen& kitchen, const std::vector<Item>& items, Program& program) {
+void add_missing_domain(CompileContext& context, const std::vector<Item>& items, Program& program) {
     LayerMask bounded = 0;
     for (const Item& item : items) {
         if (item.role != Role::boundary) continue;
-        const LayerMask layers = layers_of(kitchen, item.node);
+        const LayerMask layers = layers_of(context, item.node);
         if (bounded & layers)
-            kitchen.problems.push_back(
-                diagnose(Code::second_domain, kitchen.scene.find(item.node)->key, "this layer has a domain already"));
+            context.problems.push_back(
+                diagnose(Code::second_domain, context.scene.find(item.node)->key, "this layer has a domain already"));
         bounded |= layers;
     }
-    const LayerMask all = static_cast<LayerMask>((std::uint64_t{1} << kitchen.layers.size()) - 1);
-    if (bounded != all) append(program.fixed, cook_default_domain(kitchen, all & ~bounded));
+    const LayerMask all = static_cast<LayerMask>((std::uint64_t{1} << context.layers.size()) - 1);
+    if (bounded != all) append(program.fixed, compile_default_domain(context, all & ~bounded));
 }
 
 }  // namespace
@@ -62,29 +62,29 @@ void add_missing_domain(Kitchen& kitchen, const std::vector<Item>& items, Progra
 tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
     std::vector<Item> items;
     for (const NodeId root : scene.roots()) collect_items(scene, root, items);
-    Kitchen kitchen(scene, layer_names(scene, items));
-    if (kitchen.layers.size() > most_layers) {
-        kitchen.problems.push_back(diagnose(
+    CompileContext context(scene, layer_names(scene, items));
+    if (context.layers.size() > most_layers) {
+        context.problems.push_back(diagnose(
             Code::out_of_range, scene.table().where,
-            fmt::format("the table has {} layers, at most {} are possible", kitchen.layers.size(), most_layers)));
-        return tl::unexpected(kitchen.problems);
+            fmt::format("the table has {} layers, at most {} are possible", context.layers.size(), most_layers)));
+        return tl::unexpected(context.problems);
     }
-    kitchen.paths = scene.paths();
+    context.paths = scene.paths();
     auto program = std::make_shared<Program>();
-    program->layers = kitchen.layers;
-    program->materials = cook_materials(scene);
-    program->physics = cook_physics(scene);
+    program->layers = context.layers;
+    program->materials = compile_materials(scene);
+    program->physics = compile_physics(scene);
     program->name = scene.table().get<std::string>("name");
     program->size = scene.table().get<Vec2>("size");
     for (const InputBinding& input : scene.inputs) program->inputs.push_back(input.name);
     for (const Item& item : items) {
         if (item.is_part)
-            add_part(kitchen, item, *program);
+            add_part(context, item, *program);
         else
-            add_static_solid(kitchen, item, -1, *program);
+            add_static_solid(context, item, -1, *program);
     }
-    add_missing_domain(kitchen, items, *program);
-    if (has_errors(kitchen.problems)) return tl::unexpected(kitchen.problems);
+    add_missing_domain(context, items, *program);
+    if (has_errors(context.problems)) return tl::unexpected(context.problems);
     index(program->fixed);
     return ProgramPtr(std::move(program));
 }

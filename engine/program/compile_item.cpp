@@ -1,7 +1,8 @@
-#include "engine/program/cook.h"
+#include "engine/program/compile_item.h"
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/core/error_codes.h"
 #include "engine/core/trig.h"
 #include "engine/program/field.h"
@@ -24,7 +25,7 @@ MaterialRecord material_record(const std::string& name, const Material& m, const
     return {name, m.restitution, m.falloff, m.tangential, m.friction, m.scatter, color};
 }
 
-MaterialRecord cook_material(const Node& node) {
+MaterialRecord compile_material(const Node& node) {
     std::string color;
     for (std::size_t i = 0; i < node.fields.size(); ++i)
         if (node.type->fields[i].meta.meaning == Meaning::color) color = std::get<std::string>(node.fields[i].value);
@@ -41,7 +42,7 @@ double farthest_from_origin(const Field& field) {
     double farthest = 0;
     for (const BoundaryPiece& boundary : field.pieces) farthest = std::max(farthest, farthest_from_origin(boundary));
     for (const int solid : field.tree_solids) {
-        const Box2& box = field.solids[static_cast<std::size_t>(solid)].bounds;
+        const Box2& box = at(field.solids, solid).bounds;
         if (box.is_empty()) continue;
         for (const Vec2& corner : {box.lo, box.hi, Vec2(box.lo.x(), box.hi.y()), Vec2(box.hi.x(), box.lo.y())})
             farthest = std::max(farthest, length(corner));
@@ -49,20 +50,20 @@ double farthest_from_origin(const Field& field) {
     return farthest;
 }
 
-int input_index(Kitchen& kitchen, const Node& node, const std::string& name, Span where) {
-    const auto& inputs = kitchen.scene.inputs;
+int input_index(CompileContext& context, const Node& node, const std::string& name, Span where) {
+    const auto& inputs = context.scene.inputs;
     const auto at = std::find_if(inputs.begin(), inputs.end(), [&](const InputBinding& i) { return i.name == name; });
     if (at != inputs.end()) return static_cast<int>(at - inputs.begin());
-    kitchen.problems.push_back(
+    context.problems.push_back(
         diagnose(Code::unknown_input, where == Span{} ? node.where : where, "no input is named '" + name + "'"));
     return -1;
 }
 
 }  // namespace
 
-Kitchen::Kitchen(const Scene& of, std::vector<std::string> named_layers) : scene(of), layers(std::move(named_layers)) {
+CompileContext::CompileContext(const Scene& of, std::vector<std::string> named_layers) : scene(of), layers(std::move(named_layers)) {
     materials["default"] = 0;
-    int position = 0;  // as cook_materials() orders them
+    int position = 0;  // as compile_materials() orders them
     for (const NodeId id : scene.materials())
         if (const std::string& name = scene.find(id)->name; name != "default") materials.emplace(name, ++position);
 }
@@ -95,40 +96,40 @@ std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>
     return names;
 }
 
-LayerMask layers_of(const Kitchen& kitchen, NodeId id) {
-    for (const Node* node = kitchen.scene.find(id); node;
-         node = node->parent ? kitchen.scene.find(node->parent) : nullptr) {
+LayerMask layers_of(const CompileContext& context, NodeId id) {
+    for (const Node* node = context.scene.find(id); node;
+         node = node->parent ? context.scene.find(node->parent) : nullptr) {
         LayerMask mask = 0;
         for (const std::string& layer : node->get<std::vector<std::string>>("layer"))
-            mask |= LayerMask{1} << (std::find(kitchen.layers.begin(), kitchen.layers.end(), layer) -
-                                     kitchen.layers.begin());
+            mask |= LayerMask{1} << (std::find(context.layers.begin(), context.layers.end(), layer) -
+                                     context.layers.begin());
         if (mask != 0) return mask;
     }
     return ground_layer;
 }
 
-Part cook_part(Kitchen& kitchen, const Item& item) {
-    const Node& node = *kitchen.scene.find(item.node);
+Part compile_part(CompileContext& context, const Item& item) {
+    const Node& node = *context.scene.find(item.node);
     Part part;
     part.type = node.type;
     part.origin = item.node;
-    const auto known = kitchen.paths.find(item.node);
-    part.name = known != kitchen.paths.end() ? known->second : kitchen.scene.path(item.node);
-    part.world_from_part = world_from_local(kitchen.scene, item.node);
+    const auto known = context.paths.find(item.node);
+    part.name = known != context.paths.end() ? known->second : context.scene.path(item.node);
+    part.world_from_part = world_from_local(context.scene, item.node);
     std::vector<Value> values;
     for (int i = 0; i < node.type->own_fields; ++i) {
-        const FieldSlot& slot = node.fields[static_cast<std::size_t>(i)];
+        const FieldSlot& slot = at(node.fields, i);
         values.push_back(slot.value);
-        if (node.type->fields[static_cast<std::size_t>(i)].meta.meaning != Meaning::input) continue;
+        if (at(node.type->fields, i).meta.meaning != Meaning::input) continue;
         for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
-            part.inputs.push_back(input_index(kitchen, node, name, slot.where));
+            part.inputs.push_back(input_index(context, node, name, slot.where));
     }
     part.params = pack(*node.type, values);
     return part;
 }
 
-Mover cook_mover(Kitchen& kitchen, const Item& item, int part) {
-    const Similarity world_from_part = world_from_local(kitchen.scene, item.node);
+Mover compile_mover(CompileContext& context, const Item& item, int part) {
+    const Similarity world_from_part = world_from_local(context.scene, item.node);
     Mover mover;
     mover.part = part;
     mover.pivot = world_from_part.offset;
@@ -136,17 +137,17 @@ Mover cook_mover(Kitchen& kitchen, const Item& item, int part) {
     mover.sine = world_from_part.sine;
     mover.handedness = world_from_part.mirrored ? -1 : 1;
     const Similarity mover_from_part{.scale = world_from_part.scale, .mirrored = world_from_part.mirrored};
-    mover.field = cook_solid(kitchen, item, mover_from_part);
+    mover.field = compile_solid(context, item, mover_from_part);
     for (Solid& solid : mover.field.solids) solid.part = part;
     index(mover.field);
-    mover.lever = farthest_from_origin(mover.field);
+    mover.bounding_radius = farthest_from_origin(mover.field);
     return mover;
 }
 
-std::vector<MaterialRecord> cook_materials(const Scene& scene) {
+std::vector<MaterialRecord> compile_materials(const Scene& scene) {
     std::vector<MaterialRecord> out{material_record("default", Material{}, {})};
     for (const NodeId id : scene.materials()) {
-        const MaterialRecord record = cook_material(*scene.find(id));
+        const MaterialRecord record = compile_material(*scene.find(id));
         if (record.name == out[0].name)
             out[0] = record;
         else
@@ -155,7 +156,7 @@ std::vector<MaterialRecord> cook_materials(const Scene& scene) {
     return out;
 }
 
-PhysicsRecord cook_physics(const Scene& scene) {
+PhysicsRecord compile_physics(const Scene& scene) {
     const auto settings = record_of<PhysicsSettings>(scene.physics());
     const auto table = record_of<TableInfo>(scene.table());
     PhysicsRecord out;

@@ -1,4 +1,4 @@
-// Scene nodes one at a time into what a Program is made of. compile.cpp cooks all of them, patch.cpp those that an edit
+// Scene nodes one at a time into what a Program is made of. compile.cpp compiles all of them, patch.cpp those that an edit
 // touched: both through these functions, so that a patched program cannot differ from a compiled one.
 #pragma once
 #include <map>
@@ -12,14 +12,14 @@
 
 namespace pinfield {
 
-/// What cooking a node needs to know of the table around it.
-struct Kitchen {
-    Kitchen(const Scene& of, std::vector<std::string> named_layers);
+/// What compiling a node needs to know of the table around it.
+struct CompileContext {
+    CompileContext(const Scene& of, std::vector<std::string> named_layers);
 
     const Scene& scene;
     std::vector<std::string> layers;       ///< as Program::layers
     std::map<std::string, int> materials;  ///< by name, where in Program::materials
-    std::map<NodeId, std::string> paths;   ///< of all nodes, when all are to be cooked: one path alone costs all its siblings
+    std::map<NodeId, std::string> paths;   ///< of all nodes, when all are to be compiled: one path alone costs all its siblings
     Diagnostics problems;
 };
 
@@ -39,18 +39,18 @@ NodeId scene_node_of(const Scene& scene, NodeId node);
 inline constexpr const char* ground_layer_name = "ground";
 std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>& items);
 /// Own layers, else those of the nearest group that names some, else the ground.
-LayerMask layers_of(const Kitchen& kitchen, NodeId node);
+LayerMask layers_of(const CompileContext& context, NodeId node);
 
 /// A solid, in the frame given, as a Field with that one solid (not indexed); no solid when the node has no shape.
-Field cook_solid(Kitchen& kitchen, const Item& item, const Similarity& field_from_node);
+Field compile_solid(CompileContext& context, const Item& item, const Similarity& field_from_node);
 /// The domain of a table that says none: a box of the table's size.
-Field cook_default_domain(Kitchen& kitchen, LayerMask layers);
-Mover cook_mover(Kitchen& kitchen, const Item& item, int part);
+Field compile_default_domain(CompileContext& context, LayerMask layers);
+Mover compile_mover(CompileContext& context, const Item& item, int part);
 /// Without the indices of its solid, mover or sensor.
-Part cook_part(Kitchen& kitchen, const Item& item);
+Part compile_part(CompileContext& context, const Item& item);
 
 /// materials[0] is the one named `default`, or the defaults; the others follow in file order.
-std::vector<MaterialRecord> cook_materials(const Scene& scene);
-PhysicsRecord cook_physics(const Scene& scene);
+std::vector<MaterialRecord> compile_materials(const Scene& scene);
+PhysicsRecord compile_physics(const Scene& scene);
 
 }  // namespace pinfield

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/core/error_codes.h"
 #include "engine/program/arrangement.h"
-#include "engine/program/cook.h"
+#include "engine/program/compile_item.h"
 #include "engine/program/lower.h"
 #include "engine/program/offset.h"
 #include "engine/reflect/erase.h"
@@ -28,7 +29,7 @@ bool is_computable(const Similarity& s) {
 /// Of the type's own fields, without the common ones.
 std::vector<Value> own_values(const Node& node) {
     std::vector<Value> out;
-    for (int i = 0; i < node.type->own_fields; ++i) out.push_back(node.fields[static_cast<std::size_t>(i)].value);
+    for (int i = 0; i < node.type->own_fields; ++i) out.push_back(at(node.fields, i).value);
     return out;
 }
 
@@ -38,14 +39,14 @@ Box2 scaled(const Box2& box, double factor) { return box.is_empty() ? box : Box2
 /// Grows a Field op by op, children before parents.
 class Emitter {
 public:
-    Emitter(Kitchen& kitchen, Field& field) : kitchen_(kitchen), scene_(kitchen.scene), field_(field) {}
+    Emitter(CompileContext& context, Field& field) : context_(context), scene_(context.scene), field_(field) {}
 
     int emit_node(NodeId id, const Similarity& field_from_node);
     int emit_part_shape(const Node& node, const Similarity& field_from_node);
     /// An op of a built-in operation that the author did not write.
     template <template <class> class N>
     int emit_implied(NodeId origin, const Similarity& field_from_node, const std::vector<int>& children) {
-        const NodeType* type = scene_.catalogue().find(N<double>::describe().meta.key);
+        const NodeType* type = scene_.catalog().find(N<double>::describe().meta.key);
         return emit(*type->kernels, {}, origin, field_from_node, children);
     }
     int emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId origin, const Similarity& field_from_op,
@@ -57,7 +58,7 @@ private:
     void bound(Op& op, const Similarity& field_from_op);
     int material_of(NodeId id) const;
 
-    Kitchen& kitchen_;
+    CompileContext& context_;
     const Scene& scene_;
     Field& field_;
 };
@@ -70,11 +71,11 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
     const sdf::Kernels& kernels = *node.type->kernels;
     std::vector<double> block = pack(*node.type, own_values(node), kernels.derived_count);
     if (const auto broken = broken_contract(*node.type, block.data()))
-        kitchen_.problems.push_back(diagnose(Code::broken_contract, node.key, std::string(*broken)));
+        context_.problems.push_back(diagnose(Code::broken_contract, node.key, std::string(*broken)));
     kernels.derive(block.data());
     // An offset of a bound is the offset of some other figure.
     if (kernels.affine && !children.empty()) {
-        const Exactness& below = field_.ops[static_cast<std::size_t>(children[0])].exactness;
+        const Exactness& below = at(field_.ops, children[0]).exactness;
         if (!offset_is_exact(below, kernels.affine(block.data()))) children[0] = by_its_boundary(children[0]);
     }
     if (kernels.lattice) children[0] = with_neighbours(children[0], kernels.lattice(block.data()), id, field_from_node);
@@ -83,35 +84,35 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
 
 /// The tree's boundary in its place, if it has one: the true distance instead of a bound.
 int Emitter::by_its_boundary(int child) {
-    const Op tree = field_.ops[static_cast<std::size_t>(child)];
+    const Op tree = at(field_.ops, child);
     const FoundBoundary found = boundary_below(field_, child);
     if (found.pieces.empty() || found.horizon < infinity) return child;
     sdf::Outline outline;
     for (const OwnedPiece& owned : found.pieces) outline.push_back(owned.piece);
     const int boundary = emit(sdf::boundary_kernels(), sdf::packed_boundary(outline), tree.origin, Similarity{}, {child});
-    field_.ops[static_cast<std::size_t>(boundary)].bounds = tree.bounds.is_finite() ? sdf::bounds_of(outline) : tree.bounds;
+    at(field_.ops, boundary).bounds = tree.bounds.is_finite() ? sdf::bounds_of(outline) : tree.bounds;
     return boundary;
 }
 
 /// The child together with those of its copies that a point of the lattice's middle cell must ask. Which are nearest is known of true
 /// distances only: a bound's least value may be that of a copy farther away.
 int Emitter::with_neighbours(int child, const sdf::Lattice& lattice, NodeId origin, const Similarity& field_from_op) {
-    const Op& below = field_.ops[static_cast<std::size_t>(child)];
+    const Op& below = at(field_.ops, child);
     const Box2 box = field_from_op.inverse() * below.bounds;
     const Span& place = scene_.find(origin)->key;
     if (!box.is_empty() && !box.is_finite()) {
-        kitchen_.problems.push_back(diagnose(Code::broken_contract, place, "what has no end cannot be repeated without end"));
+        context_.problems.push_back(diagnose(Code::broken_contract, place, "what has no end cannot be repeated without end"));
         return child;
     }
     const auto [columns, rows] = lattice.neighbours(box);
     if ((2 * columns + 1) * (2 * rows + 1) > sdf::Repeat<double>::most_copies) {
-        kitchen_.problems.push_back(
+        context_.problems.push_back(
             diagnose(Code::broken_contract, place, "the child reaches over too many cells: more than 1024 of its copies overlap"));
         return child;
     }
     if (below.exactness.outside != Side::exact) child = by_its_boundary(child);
     const sdf::Repeat<double> around{.count = {2.0 * columns + 1, 2.0 * rows + 1}, .step = {lattice.step.x(), lattice.step.y()}};
-    const NodeType& type = *scene_.catalogue().find(sdf::Repeat<double>::describe().meta.key);
+    const NodeType& type = *scene_.catalog().find(sdf::Repeat<double>::describe().meta.key);
     return emit(*type.kernels, pack(type, values_of(around)), origin, field_from_op, {child});
 }
 
@@ -143,7 +144,7 @@ int Emitter::emit(const sdf::Kernels& kernels, std::vector<double> block, NodeId
     op.origin = origin;
     op.material = material_of(origin);
     if (!is_computable(field_from_op))
-        kitchen_.problems.push_back(
+        context_.problems.push_back(
             diagnose(Code::not_finite, scene_.find(origin)->where, "is placed or scaled beyond what can be computed"));
     if (kernels.images) {
         const Similarity identity;
@@ -166,7 +167,7 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
     std::vector<Exactness> sides;
     for (int i = 0; i < op.child_count; ++i) {
         const Op& child =
-            field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link + i)])];
+            at(field_.ops, at(field_.links, op.first_link + i));
         boxes.push_back(op.kernels->form == sdf::Form::warp ? op.local_from_field * child.bounds : scaled(child.bounds, 1 / op.scale));
         sides.push_back(child.exactness);
     }
@@ -178,10 +179,10 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
         case sdf::Form::warp: op.bounds = field_from_op * op.kernels->bounds_over(params, boxes); break;
         case sdf::Form::images: {
             const Op& child =
-                field_.ops[static_cast<std::size_t>(field_.links[static_cast<std::size_t>(op.first_link)])];
+                at(field_.ops, at(field_.links, op.first_link));
             for (int i = 0; i < op.image_count; ++i)
                 op.bounds =
-                    op.bounds.merged(field_.images[static_cast<std::size_t>(op.first_image + i)] * child.bounds);
+                    op.bounds.merged(at(field_.images, op.first_image + i) * child.bounds);
             break;
         }
     }
@@ -190,8 +191,8 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
 /// Index into Program::materials; the default's when there is no such material.
 int Emitter::material_of(NodeId id) const {
     if (id == scene_.table().id) return 0;
-    const auto found = kitchen_.materials.find(scene_.material_name(id));
-    return found != kitchen_.materials.end() ? found->second : 0;
+    const auto found = context_.materials.find(scene_.material_name(id));
+    return found != context_.materials.end() ? found->second : 0;
 }
 
 /// The field's only solid, from its last op down.
@@ -260,31 +261,31 @@ double appearances(const Scene& scene, NodeId id, Diagnostics& problems) {
 
 }  // namespace
 
-Field cook_solid(Kitchen& kitchen, const Item& item, const Similarity& field_from_node) {
+Field compile_solid(CompileContext& context, const Item& item, const Similarity& field_from_node) {
     Field field;
-    if (!has_enough_children(kitchen.scene, item.node, kitchen.problems)) return field;
-    const std::size_t problems_before = kitchen.problems.size();
-    appearances(kitchen.scene, item.node, kitchen.problems);
-    if (kitchen.problems.size() > problems_before) return field;
-    Emitter emitter(kitchen, field);
-    const Node& node = *kitchen.scene.find(item.node);
+    if (!has_enough_children(context.scene, item.node, context.problems)) return field;
+    const std::size_t problems_before = context.problems.size();
+    appearances(context.scene, item.node, context.problems);
+    if (context.problems.size() > problems_before) return field;
+    Emitter emitter(context, field);
+    const Node& node = *context.scene.find(item.node);
     const int shape =
         item.is_part ? emitter.emit_part_shape(node, field_from_node) : emitter.emit_node(item.node, field_from_node);
     if (shape < 0) return field;
     if (item.role == Role::boundary) emitter.emit_implied<sdf::Complement>(item.node, field_from_node, {shape});
-    finish(field, item.node, layers_of(kitchen, item.node), is_visible(kitchen.scene, item.node), item.role == Role::boundary);
+    finish(field, item.node, layers_of(context, item.node), is_visible(context.scene, item.node), item.role == Role::boundary);
     return field;
 }
 
-Field cook_default_domain(Kitchen& kitchen, LayerMask layers) {
+Field compile_default_domain(CompileContext& context, LayerMask layers) {
     Field field;
-    Emitter emitter(kitchen, field);
-    const Node& table = kitchen.scene.table();
+    Emitter emitter(context, field);
+    const Node& table = context.scene.table();
     std::vector<Value> values;
     for (const FieldSlot& slot : table.fields) values.push_back(slot.value);
     const auto info = load<TableInfo>(pack(*table.type, values).data());
     const sdf::Box<double> box{.size = info.size};
-    const NodeType& type = *kitchen.scene.catalogue().find(sdf::Box<double>::describe().meta.key);
+    const NodeType& type = *context.scene.catalog().find(sdf::Box<double>::describe().meta.key);
     std::vector<double> block = pack(type, values_of(box), type.kernels->derived_count);
     type.kernels->derive(block.data());
     const Similarity world_from_box = Similarity::translation(0.5 * Vec2(info.size.x, info.size.y));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/program/bvh.h"
 #include "engine/sdf/meet.h"
 #include "engine/sdf/piece_distance.h"
@@ -29,28 +30,28 @@ Piece part_of(const Piece& piece, const Vec2& from, const Vec2& to) {
     return out;
 }
 
-void cut_pair(Edge& a, Edge& b, double tolerance) {
+void cut_pair(CutPiece& a, CutPiece& b, double tolerance) {
     if (a.owner != b.owner && a.box.grown(tolerance).overlaps(b.box)) meet(a.piece, b.piece, tolerance, a.cuts, b.cuts);
 }
 
 }  // namespace
 
-Edge edge_of(const Piece& piece, int owner, int origin) { return {piece, owner, origin, bounds_of(piece)}; }
+CutPiece cut_piece_of(const Piece& piece, int owner, int origin) { return {piece, owner, origin, bounds_of(piece)}; }
 
-void cut_all(std::vector<Edge>& edges, double tolerance) {
+void cut_all(std::vector<CutPiece>& edges, double tolerance) {
     std::vector<Box2> boxes;
-    for (const Edge& edge : edges) boxes.push_back(edge.box);
+    for (const CutPiece& edge : edges) boxes.push_back(edge.box);
     const Bvh bvh(boxes);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         std::vector<int> partners;
         bvh.overlapping(edges[i].box.grown(tolerance), [&](int j) { partners.push_back(j); });
         std::sort(partners.begin(), partners.end());
         for (const int j : partners)
-            if (static_cast<std::size_t>(j) > i) cut_pair(edges[i], edges[static_cast<std::size_t>(j)], tolerance);
+            if (static_cast<std::size_t>(j) > i) cut_pair(edges[i], at(edges, j), tolerance);
     }
 }
 
-std::vector<Piece> parts_of(const Edge& edge) {
+std::vector<Piece> parts_of(const CutPiece& edge) {
     std::vector<Vec2> cuts = edge.cuts;
     std::sort(cuts.begin(), cuts.end(), [&](const Vec2& p, const Vec2& q) {
         return position_along(edge.piece, p) < position_along(edge.piece, q);

@@ -8,20 +8,20 @@
 namespace pinfield {
 
 /// A piece to be cut. Pieces of one owner leave each other whole.
-struct Edge {
+struct CutPiece {
     sdf::Piece piece;
     int owner = 0;
     int origin = 0;  ///< op that it comes from
     Box2 box;
     std::vector<Vec2> cuts{};
 };
-Edge edge_of(const sdf::Piece& piece, int owner, int origin);
+CutPiece cut_piece_of(const sdf::Piece& piece, int owner, int origin);
 
 /// Finds where edges meet; closer than `tolerance` (metres) counts as touching.
-void cut_all(std::vector<Edge>& edges, double tolerance);
+void cut_all(std::vector<CutPiece>& edges, double tolerance);
 
 /// The edge from cut to cut.
-std::vector<sdf::Piece> parts_of(const Edge& edge);
+std::vector<sdf::Piece> parts_of(const CutPiece& edge);
 
 /// A point of the piece away from its ends and, for an uncut circle, from `touched`; with the normal to its right.
 struct Probe {

@@ -1,7 +1,8 @@
-#include "engine/program/trust.h"
+#include "engine/program/distance_quality.h"
 
 #include <fmt/format.h>
 
+#include "engine/core/at.h"
 #include "engine/core/error_codes.h"
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
@@ -9,7 +10,7 @@
 namespace pinfield {
 namespace {
 
-const Op& op_at(const Field& field, int op) { return field.ops[static_cast<std::size_t>(op)]; }
+const Op& op_at(const Field& field, int op) { return at(field.ops, op); }
 
 template <class F>
 void for_each_field(const Program& program, F&& tell) {
@@ -21,15 +22,15 @@ void for_each_field(const Program& program, F&& tell) {
 /// Tells node and trust of every op. A node may have several: what it implies (a part's union, a domain's complement) comes after what
 /// it was made of, and what is known of its boundary last, so that the last telling counts.
 template <class F>
-void for_each_trust(const Field& field, F&& tell) {
+void for_each_quality(const Field& field, F&& tell) {
     for (const Op& op : field.ops) {
-        if (is_boundary(op)) tell(op.origin, Trust{op_at(field, field.links[static_cast<std::size_t>(op.first_link)]).exactness, true});
-        else tell(op.origin, Trust{op.exactness, false});
+        if (is_boundary(op)) tell(op.origin, DistanceQuality{op_at(field, at(field.links, op.first_link)).exactness, true});
+        else tell(op.origin, DistanceQuality{op.exactness, false});
     }
     for (const Solid& solid : field.solids) {
         const Op& root = op_at(field, solid.root);
         // Up to its horizon only is no promise: eval certifies an endless solid point by point.
-        if (solid.lowered && solid.horizon == infinity) tell(root.origin, Trust{root.exactness, true, solid.fit_error});
+        if (solid.lowered && solid.horizon == infinity) tell(root.origin, DistanceQuality{root.exactness, true, solid.fit_error});
     }
 }
 
@@ -44,7 +45,7 @@ std::string_view doubtful_sides(const Exactness& child, const sdf::Affine& affin
 void add_warnings(const Field& field, const Scene& scene, Diagnostics& out) {
     for (const Op& op : field.ops) {
         if (op.kernels->form != sdf::Form::modify) continue;
-        const Op& child = op_at(field, field.links[static_cast<std::size_t>(op.first_link)]);
+        const Op& child = op_at(field, at(field.links, op.first_link));
         const std::string_view sides = doubtful_sides(child.exactness, op.kernels->affine(field.params.data() + op.params));
         const Node* node = scene.find(op.origin);
         const Node* below = scene.find(child.origin);
@@ -79,19 +80,19 @@ void add_untouched_layers(const Program& program, const Scene& scene, Diagnostic
 
 }  // namespace
 
-std::map<NodeId, Trust> trusts_of(const Program& program) {
-    std::map<NodeId, Trust> out;
+std::map<NodeId, DistanceQuality> distance_qualities_of(const Program& program) {
+    std::map<NodeId, DistanceQuality> out;
     for_each_field(program, [&](const Field& field) {
-        for_each_trust(field, [&](NodeId node, const Trust& trust) { out[node] = trust; });
+        for_each_quality(field, [&](NodeId node, const DistanceQuality& quality) { out[node] = quality; });
     });
     return out;
 }
 
-std::optional<Trust> trust_of(const Program& program, NodeId wanted) {
-    std::optional<Trust> out;
+std::optional<DistanceQuality> distance_quality_of(const Program& program, NodeId wanted) {
+    std::optional<DistanceQuality> out;
     for_each_field(program, [&](const Field& field) {
-        for_each_trust(field, [&](NodeId node, const Trust& trust) {
-            if (node == wanted) out = trust;
+        for_each_quality(field, [&](NodeId node, const DistanceQuality& quality) {
+            if (node == wanted) out = quality;
         });
     });
     return out;

@@ -10,7 +10,7 @@
 
 namespace pinfield {
 
-struct Trust {
+struct DistanceQuality {
     Exactness formula;            ///< of the node's own formula over its children
     bool boundary_known = false;  ///< its boundary was found and is asked in the formula's place: right on both sides
     double fit_error = 0;         ///< ... within that many metres; if 0, exact
@@ -20,9 +20,9 @@ struct Trust {
 };
 
 /// Of every scene node that has a field: shapes, operations, and parts made of them.
-std::map<NodeId, Trust> trusts_of(const Program& program);
+std::map<NodeId, DistanceQuality> distance_qualities_of(const Program& program);
 /// Of one node; nothing when it has no field.
-std::optional<Trust> trust_of(const Program& program, NodeId node);
+std::optional<DistanceQuality> distance_quality_of(const Program& program, NodeId node);
 
 /// What is doubtful about a program that runs, placed in the text of the scene it was compiled from: offsets (round, inset, onion) of a
 /// side that is only a bound and whose boundary could not be found, and solids on layers that no ball is on.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/core/at.h"
 #include "engine/program/tree.h"
 #include "engine/sdf/outline_distance.h"
 #include "engine/sdf/outline_path.h"
@@ -13,14 +14,14 @@ namespace pinfield {
 namespace {
 
 const Op& root_of(const Field& field, int solid) {
-    return field.ops[static_cast<std::size_t>(field.solids[static_cast<std::size_t>(solid)].root)];
+    return at(field.ops, at(field.solids, solid).root);
 }
 
 bool is_exact(const Exactness& e) { return e.outside == Side::exact && e.inside == Side::exact; }
 
 OutlineBlock packed_boundary(const Field& field, const Solid& solid) {
     sdf::Outline outline;
-    for (int i = 0; i < solid.piece_count; ++i) outline.push_back(field.pieces[static_cast<std::size_t>(solid.first_piece + i)].piece);
+    for (int i = 0; i < solid.piece_count; ++i) outline.push_back(at(field.pieces, solid.first_piece + i).piece);
     return sdf::packed_boundary(outline);
 }
 
@@ -42,7 +43,7 @@ DrawnSolids::DrawnSolids(const Field& field, const Box2& window) : field_(field)
     const double farthest = std::max(length(window.lo), length(window.hi)) + length(window.size());
     for (std::size_t i = 0; i < field.solids.size(); ++i) {
         const Solid& solid = field.solids[i];
-        if (!solid.visible || !solid.lowered || is_exact(field.ops[static_cast<std::size_t>(solid.root)].exactness)) continue;
+        if (!solid.visible || !solid.lowered || is_exact(at(field.ops, solid.root).exactness)) continue;
         OutlineBlock outline = packed_boundary(field, solid);
         if (solid.horizon < infinity &&
             farthest + std::fabs(sdf::boundary_kernels().distance(outline.data(), window.centre().x(), window.centre().y())) >
@@ -57,7 +58,7 @@ double DrawnSolids::lipschitz(int solid) const { return by_boundary(solid) ? 1 :
 bool DrawnSolids::exceeds_box(int solid) const { return by_boundary(solid) || root_of(field_, solid).exactness.outside == Side::exact; }
 
 double DrawnSolids::value(int solid, const Vec2& p) const {
-    const double formula = tree_value(field_, field_.solids[static_cast<std::size_t>(solid)].root, p);
+    const double formula = tree_value(field_, at(field_.solids, solid).root, p);
     if (!by_boundary(solid)) return formula;
     return std::copysign(sdf::boundary_kernels().distance(outline(solid).data(), p.x(), p.y()), formula);
 }

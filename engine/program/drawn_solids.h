@@ -3,6 +3,7 @@
 #pragma once
 #include <vector>
 
+#include "engine/core/at.h"
 #include "engine/program/program.h"
 
 namespace pinfield {
@@ -15,9 +16,9 @@ public:
     /// For points of this window only: an endless solid's boundary is whole up to its horizon.
     DrawnSolids(const Field& field, const Box2& window);
 
-    bool by_boundary(int solid) const { return !outlines_[static_cast<std::size_t>(solid)].empty(); }
+    bool by_boundary(int solid) const { return !at(outlines_, solid).empty(); }
     /// All of it, or empty.
-    const OutlineBlock& outline(int solid) const { return outlines_[static_cast<std::size_t>(solid)]; }
+    const OutlineBlock& outline(int solid) const { return at(outlines_, solid); }
     double lipschitz(int solid) const;
     /// Is the distance outside at least that to the solid's box?
     bool exceeds_box(int solid) const;

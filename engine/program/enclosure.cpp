@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "engine/core/at.h"
 #include "engine/sdf/interval_box.h"
 
 namespace pinfield {
@@ -17,7 +18,7 @@ public:
     explicit Encloser(const Field& field) : field_(field) {}
 
     Interval enclose(int index, const IntervalBox& p) const {
-        const Op& op = field_.ops[static_cast<std::size_t>(index)];
+        const Op& op = at(field_.ops, index);
         const double* params = field_.params.data() + op.params;
         const Interval scale(op.scale);
         switch (op.kernels->form) {
@@ -37,7 +38,7 @@ public:
 
 private:
     Interval child(const Op& op, int i, const IntervalBox& p) const {
-        return enclose(field_.links[static_cast<std::size_t>(op.first_link + i)], p);
+        return enclose(at(field_.links, op.first_link + i), p);
     }
     Interval fold(const Op& op, const double* params, const IntervalBox& p) const {
         const Interval scale(op.scale);
@@ -49,7 +50,7 @@ private:
     Interval nearest_image(const Op& op, const IntervalBox& p) const {
         Interval value(infinity);
         for (int i = 0; i < op.image_count; ++i)
-            value = min(value, child(op, 0, field_.images[static_cast<std::size_t>(op.first_image + i)].inverse() * p));
+            value = min(value, child(op, 0, at(field_.images, op.first_image + i).inverse() * p));
         return value;
     }
 

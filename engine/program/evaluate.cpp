@@ -1,5 +1,6 @@
 #include "engine/program/evaluate.h"
 
+#include "engine/core/at.h"
 #include "engine/program/trace.h"
 #include "engine/program/tree.h"
 #include "engine/program/zero_loops.h"
@@ -11,7 +12,7 @@ namespace {
 /// How far past the foot a certificate looks for the surface, relative to the size of the numbers at hand.
 constexpr double certificate_slack = 1e-11;
 
-const Solid& solid_at(const Field& field, int solid) { return field.solids[static_cast<std::size_t>(solid)]; }
+const Solid& solid_at(const Field& field, int solid) { return at(field.solids, solid); }
 
 /// The nearest entry found so far by a search over Field::bvh. Of equals the lower entry stays, so that the result does
 /// not depend on the order of visits.
@@ -26,7 +27,7 @@ struct Winner {
 };
 
 Nearest surface(const Field& field, int piece, const Vec2& p, bool inside_at_ends) {
-    const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(piece)];
+    const BoundaryPiece& boundary = at(field.pieces, piece);
     const sdf::PieceFoot foot = foot_on_piece(boundary.piece, p);
     Nearest out;
     out.solid = boundary.solid;
@@ -52,7 +53,7 @@ bool is_certified(const Field& field, const Op& root, int op, const Vec2& p, con
 /// asked wherever the formula is: the broad phase goes by boxes, and a ball that it lets come as near as the box says must not be
 /// found to overlap what the formula says.
 bool may_be_nearer_than_its_box(const Field& field, const Solid& solid) {
-    return field.ops[static_cast<std::size_t>(solid.root)].exactness.outside != Side::exact;
+    return at(field.ops, solid.root).exactness.outside != Side::exact;
 }
 
 double outside_value(const Field& field, const Solid& solid, const Vec2& p) {
@@ -67,7 +68,7 @@ Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
     out.distance = s.value;
     out.gradient = s.gradient;
     out.solid = solid;
-    out.certified = is_certified(field, field.ops[static_cast<std::size_t>(root)], root, p, s);
+    out.certified = is_certified(field, at(field.ops, root), root, p, s);
     const Box2& box = solid_at(field, solid).bounds;
     if (!out.certified && box.distance(p) > std::max(s.value, 0.0)) {
         const Vec2 from_box = p - p.cwiseMax(box.lo).cwiseMin(box.hi);
@@ -85,7 +86,7 @@ Nearest corrected(const Field& field, const Nearest& found, const Vec2& p) {
     const int root = solid_at(field, found.solid).root;
     const double error = 2 * solid_at(field, found.solid).fit_error, size = solid_at(field, found.solid).fit_error / trace_tolerance;
     const sdf::Sample s = evaluate_tree(field, root, p);
-    if (std::fabs(s.value - found.distance) <= error && is_certified(field, field.ops[static_cast<std::size_t>(root)], root, p, s))
+    if (std::fabs(s.value - found.distance) <= error && is_certified(field, at(field.ops, root), root, p, s))
         return {s.value, s.gradient, found.solid, found.leaf, true};
     const Vec2 fitted = p - found.distance * found.gradient;
     const auto seen_from = [&](const Vec2& foot, double most) {
@@ -112,11 +113,11 @@ int nearest_piece_of(const Field& field, int index, const Vec2& p) {
     constexpr int few = 48;  // below this a plain loop beats a search that meets the other solids' pieces too
     if (solid.piece_count <= few) {
         for (int i = solid.first_piece; i < end; ++i)
-            winner.offer(squared_distance_to_piece(field.pieces[static_cast<std::size_t>(i)].piece, p), i);
+            winner.offer(squared_distance_to_piece(at(field.pieces, i).piece, p), i);
     } else {
         field.bvh.nearest_squared(p, infinity, [&](int entry) {
             if (solid.first_piece <= entry && entry < end)
-                winner.offer(squared_distance_to_piece(field.pieces[static_cast<std::size_t>(entry)].piece, p), entry);
+                winner.offer(squared_distance_to_piece(at(field.pieces, entry).piece, p), entry);
             return winner.squared;
         });
     }
@@ -133,11 +134,11 @@ bool contains(const Field& field, const Solid& solid, const Vec2& p) {
 }
 
 /// Does any solid of these layers, other than `except`, lie over the end of the way out?
-bool is_covered(const Field& field, const WayOut& way, LayerMask layers, int except) {
+bool is_covered(const Field& field, const Exit& way, LayerMask layers, int except) {
     for (std::size_t i = 0; i < field.solids.size(); ++i) {
         const Solid& solid = field.solids[i];
-        if (static_cast<int>(i) == except || !(solid.layers & layers) || solid.bounds.distance(way.beyond) > way.room) continue;
-        if (tree_value(field, solid.root, way.beyond) <= way.room) return true;
+        if (static_cast<int>(i) == except || !(solid.layers & layers) || solid.bounds.distance(way.beyond) > way.clearance) continue;
+        if (tree_value(field, solid.root, way.beyond) <= way.clearance) return true;
     }
     return false;
 }
@@ -166,10 +167,10 @@ Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, dou
     Winner winner{reach * reach};
     field.bvh.nearest_squared(p, winner.squared, [&](int entry) {
         if (entry < pieces) {
-            const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(entry)];
+            const BoundaryPiece& boundary = at(field.pieces, entry);
             if (boundary.layers & layers) winner.offer(squared_distance_to_piece(boundary.piece, p), entry);
         } else {
-            const Solid& solid = solid_at(field, field.tree_solids[static_cast<std::size_t>(entry - pieces)]);
+            const Solid& solid = solid_at(field, at(field.tree_solids, entry - pieces));
             if (solid.layers & layers) {
                 const double value = outside_value(field, solid, p);
                 winner.offer(value * value, entry);
@@ -181,7 +182,7 @@ Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, dou
     if (reaches_beyond(field.horizon, p, distance)) return nearest_one_by_one(field, p, layers, reach);
     if (winner.entry < 0) return {.distance = reach};
     if (winner.entry < pieces) return surface(field, winner.entry, p, false);
-    return surface_of_tree(field, field.tree_solids[static_cast<std::size_t>(winner.entry - pieces)], p);
+    return surface_of_tree(field, at(field.tree_solids, winner.entry - pieces), p);
 }
 
 Nearest nearest_of_solid(const Field& field, int index, const Vec2& p) {
@@ -201,12 +202,12 @@ Nearest nearest(const Field& field, const Vec2& p, LayerMask layers, double reac
     }
     if (out.solid < 0) out = corrected(field, nearest_outside(field, p, layers, reach), p);
     if (!out.certified) return out;
-    const WayOut way = way_out(out, p);
+    const Exit way = exit_of(out, p);
     if (way.is_needed) out.certified = !is_covered(field, way, layers, out.solid);
     return out;
 }
 
-WayOut way_out(const Nearest& nearest, const Vec2& p) {
+Exit exit_of(const Nearest& nearest, const Vec2& p) {
     const double hair = certificate_slack * (1 + std::fabs(nearest.distance) + p.cwiseAbs().maxCoeff());
     return {p + (hair - nearest.distance) * nearest.gradient, 0.5 * hair, nearest.distance <= hair};
 }

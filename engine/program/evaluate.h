@@ -26,13 +26,13 @@ Nearest nearest(const Field& field, const Vec2& p, LayerMask layers = ground_lay
 Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, double reach);
 
 /// Where the shortest way to the open ends: a hair beyond the surface, so that what abuts there is met. All is open where no other solid
-/// comes nearer than `room`.
-struct WayOut {
+/// comes nearer than `clearance`.
+struct Exit {
     Vec2 beyond;
-    double room = 0;  ///< metres
+    double clearance = 0;  ///< metres
     bool is_needed = false;  ///< false for points so far outside that no solid can lie over them
 };
-WayOut way_out(const Nearest& nearest, const Vec2& p);
+Exit exit_of(const Nearest& nearest, const Vec2& p);
 
 /// Signed distance to one solid alone.
 Nearest nearest_of_solid(const Field& field, int solid, const Vec2& p);

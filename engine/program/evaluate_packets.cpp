@@ -3,6 +3,7 @@
 #include <array>
 #include <xsimd/xsimd.hpp>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/field.h"
 #include "engine/sdf/register.h"
@@ -58,14 +59,14 @@ public:
     Evaluator(const Field& field, sdf::Isa isa) : field_(field), isa_(static_cast<std::size_t>(isa)) {}
 
     void value(const PacketSolid& candidate, const Points& p, float* out) const {
-        const int root = field_.solids[static_cast<std::size_t>(candidate.solid)].root;
+        const int root = at(field_.solids, candidate.solid).root;
         if (!candidate.outline) return value(root, p, out);
         packets(sdf::boundary_kernels()).distance(candidate.outline, sdf::PacketFrame{}, p.x, p.y, out, p.n);
         take_side(root, p, out);
     }
 
     void value(int op_index, const Points& p, float* out) const {
-        const Op& op = field_.ops[static_cast<std::size_t>(op_index)];
+        const Op& op = at(field_.ops, op_index);
         switch (op.kernels->form) {
             case sdf::Form::shape: return shape(op, p, out);
             case sdf::Form::images: return images(op, p, out);
@@ -77,11 +78,11 @@ public:
 
 private:
     const double* params(const Op& op) const { return field_.params.data() + op.params; }
-    int child(const Op& op, int i) const { return field_.links[static_cast<std::size_t>(op.first_link + i)]; }
+    int child(const Op& op, int i) const { return at(field_.links, op.first_link + i); }
     /// A node that was not built for this instruction set (one of the user's own, say) has the baseline's kernels.
     sdf::PacketKernels packets(const sdf::Kernels& kernels) const {
         const sdf::PacketKernels& own = kernels.packets[isa_];
-        return own.distance || own.combine || own.warp ? own : kernels.packets[static_cast<std::size_t>(sdf::Isa::sse2)];
+        return own.distance || own.combine || own.warp ? own : at(kernels.packets, sdf::Isa::sse2);
     }
 
     void shape(const Op& op, const Points& p, float* out) const {
@@ -93,7 +94,7 @@ private:
     void take_side(int tree, const Points& p, float* out) const {
         Row side;
         value(tree, p, side.data());
-        for (int i = 0; i < p.n; ++i) out[i] = std::copysign(out[i], side[static_cast<std::size_t>(i)]);
+        for (int i = 0; i < p.n; ++i) out[i] = std::copysign(out[i], at(side, i));
     }
 
     void combine(const Op& op, const Points& p, float* out) const {
@@ -117,14 +118,14 @@ private:
         transform(op.local_from_field.inverse(), {x.data(), y.data(), p.n}, there_x, there_y);
         value(child(op, 0), {there_x.data(), there_y.data(), p.n}, out);
         const float factor = static_cast<float>(op.kernels->factor(params(op))), scale = static_cast<float>(op.scale);
-        for (int i = 0; i < p.n; ++i) out[i] = factor * out[i] + scale * lift[static_cast<std::size_t>(i)];
+        for (int i = 0; i < p.n; ++i) out[i] = factor * out[i] + scale * at(lift, i);
     }
 
     void images(const Op& op, const Points& p, float* out) const {
         std::fill_n(out, p.n, std::numeric_limits<float>::infinity());
         for (int i = 0; i < op.image_count; ++i) {
             Row x, y, d;
-            transform(field_.images[static_cast<std::size_t>(op.first_image + i)].inverse(), p, x, y);
+            transform(at(field_.images, op.first_image + i).inverse(), p, x, y);
             value(child(op, 0), {x.data(), y.data(), p.n}, d.data());
             std::transform(d.begin(), d.begin() + p.n, out, out,
                            [](float nearer, float so_far) { return nearer < so_far ? nearer : so_far; });

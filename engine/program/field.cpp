@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "engine/core/at.h"
 #include "engine/sdf/piece_distance.h"
 #include "engine/sdf/register.h"
 
@@ -27,9 +28,9 @@ Place end_of(const Field& f) {
 Place begin_of(const Field& field, int index) {
     if (index == count(field.solids)) return end_of(field);
     const int first_op = index == 0 ? 0 : field.solids[static_cast<std::size_t>(index) - 1].root + 1;
-    const Op& op = field.ops[static_cast<std::size_t>(first_op)];
+    const Op& op = at(field.ops, first_op);
     return {first_op,  op.first_link, op.first_image,
-            op.params, index,         field.solids[static_cast<std::size_t>(index)].first_piece};
+            op.params, index,         at(field.solids, index).first_piece};
 }
 
 Place operator-(const Place& a, const Place& b) {

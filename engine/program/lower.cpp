@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/core/at.h"
 #include "engine/program/arrangement.h"
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
@@ -65,11 +66,11 @@ private:
     std::map<int, TracedBoundary> traced_;
 };
 
-int child_of(const Field& field, const Op& op, int i) { return field.links[static_cast<std::size_t>(op.first_link + i)]; }
+int child_of(const Field& field, const Op& op, int i) { return at(field.links, op.first_link + i); }
 
 /// What stands in every cell: the child of the op that unites it with its neighbours.
 int child_in_cells(const Field& field, const Op& lattice) {
-    return child_of(field, field.ops[static_cast<std::size_t>(child_of(field, lattice, 0))], 0);
+    return child_of(field, at(field.ops, child_of(field, lattice, 0)), 0);
 }
 
 bool LeafCollector::add(int index, const Similarity& chain, const std::vector<OwnedPiece>& pieces, double error) {
@@ -86,8 +87,8 @@ bool LeafCollector::add(int index, const Similarity& chain, const std::vector<Ow
 }
 
 bool LeafCollector::add_offset(int index, const Similarity& chain) {
-    const Op& op = field_.ops[static_cast<std::size_t>(index)];
-    const FoundBoundary below = boundary_below(field_, field_.links[static_cast<std::size_t>(op.first_link)]);
+    const Op& op = at(field_.ops, index);
+    const FoundBoundary below = boundary_below(field_, at(field_.links, op.first_link));
     // The offset's own field is the distance to a formula's zero line, and a hair's breadth from parallels of what was fitted to it.
     if (below.pieces.empty() || below.error > 0 || below.horizon < infinity) return add_traced(index, chain);
     return add(index, chain, offset_boundary(field_, index, below.pieces));
@@ -100,7 +101,7 @@ bool LeafCollector::add_traced(int index, const Similarity& chain) {
 }
 
 bool LeafCollector::add_shape(int index, const Similarity& chain) {
-    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    const Op& op = at(field_.ops, index);
     sdf::Outline local;
     op.kernels->outline(field_.params.data() + op.params, local);
     const Similarity field_from_local = op.local_from_field.inverse();
@@ -111,7 +112,7 @@ bool LeafCollector::add_shape(int index, const Similarity& chain) {
 
 /// A metre of its line to either side of the point nearest to the origin: cut_at_horizon() makes it long.
 bool LeafCollector::add_half_plane(int index, const Similarity& chain) {
-    const Similarity field_from_local = chain * field_.ops[static_cast<std::size_t>(index)].local_from_field.inverse();
+    const Similarity field_from_local = chain * at(field_.ops, index).local_from_field.inverse();
     const Vec2 on_line = field_from_local.offset, along = field_from_local.direction({field_from_local.mirrored ? 1 : -1, 0});
     const Vec2 nearest = on_line - dot(on_line, along) * along;
     LeafImage leaf{index, chain, {Piece::segment(nearest - along, nearest + along)}, Box2::everything()};
@@ -122,12 +123,12 @@ bool LeafCollector::add_half_plane(int index, const Similarity& chain) {
 
 bool LeafCollector::collect_lattice(int index, const Similarity& chain) {
     if (!bounds_.is_finite()) return false;
-    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    const Op& op = at(field_.ops, index);
     const int child = child_in_cells(field_, op);
     const Similarity field_from_local = op.local_from_field.inverse();
     const auto offsets = op.kernels->lattice(field_.params.data() + op.params)
                              .offsets_meeting((chain * field_from_local).inverse() * bounds_,
-                                              op.local_from_field * field_.ops[static_cast<std::size_t>(child)].bounds);
+                                              op.local_from_field * at(field_.ops, child).bounds);
     if (!offsets) return false;
     lattice_copies.push_back(static_cast<int>(offsets->size()));
     for (const Vec2& offset : *offsets) {
@@ -138,19 +139,19 @@ bool LeafCollector::collect_lattice(int index, const Similarity& chain) {
 }
 
 bool LeafCollector::collect(int index, const Similarity& chain) {
-    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    const Op& op = at(field_.ops, index);
     if (op.kernels->lattice) return collect_lattice(index, chain);
-    if (is_boundary(op)) return collect(field_.links[static_cast<std::size_t>(op.first_link)], chain);
+    if (is_boundary(op)) return collect(at(field_.links, op.first_link), chain);
     if (!is_boolean(*op.kernels, field_.params.data() + op.params))
         return op.kernels->form == Form::modify ? add_offset(index, chain) : add_traced(index, chain);
     if (op.kernels->form == Form::shape) return op.kernels->endless ? add_half_plane(index, chain) : add_shape(index, chain);
     const int appearances = op.kernels->form == Form::images ? op.image_count : 1;
     for (int image = 0; image < appearances; ++image)
         for (int i = 0; i < op.child_count; ++i) {
-            const int child = field_.links[static_cast<std::size_t>(op.first_link + i)];
+            const int child = at(field_.links, op.first_link + i);
             const bool in_place = op.kernels->form != Form::images;
             const Similarity here =
-                in_place ? chain : chain * field_.images[static_cast<std::size_t>(op.first_image + image)];
+                in_place ? chain : chain * at(field_.images, op.first_image + image);
             if (!collect(child, here)) return false;
         }
     return true;
@@ -198,7 +199,7 @@ double cut_at_horizon(std::vector<LeafImage>& leaves) {
 }  // namespace
 
 FoundLeaves leaf_images(const Field& field, int root) {
-    LeafCollector collector(field, field.ops[static_cast<std::size_t>(root)].bounds);
+    LeafCollector collector(field, at(field.ops, root).bounds);
     if (!collector.collect(root, Similarity{})) return {};
     const double horizon = cut_at_horizon(collector.leaves);
     return {std::move(collector.leaves), std::move(collector.lattice_copies), horizon};
@@ -210,7 +211,7 @@ Membership::Membership(const Field& field, int root, const std::vector<int>& lat
 }
 
 void Membership::append(int index, const std::vector<int>& lattice_copies, std::size_t& next_lattice) {
-    const Op& op = field_.ops[static_cast<std::size_t>(index)];
+    const Op& op = at(field_.ops, index);
     const double* params = field_.params.data() + op.params;
     const auto unite = [&](int child, int copies) {
         for (int i = 0; i < copies; ++i) append(child, lattice_copies, next_lattice);
@@ -257,18 +258,18 @@ FoundBoundary boundary_below(const Field& field, int root) {
     double error = 0;
     for (const LeafImage& leaf : found.leaves) error = std::max(error, leaf.error);
     // What has an end has it within the reach of what is not endless.
-    const bool ends = field.ops[static_cast<std::size_t>(root)].bounds.is_finite();
+    const bool ends = at(field.ops, root).bounds.is_finite();
     std::vector<OwnedPiece> pieces = boundary_of(field, root, found);
     if (error > 0 && !is_closed(pieces, 100 * error)) return {};
     return {std::move(pieces), error, ends ? infinity : found.horizon};
 }
 
 void lower(Field& field, int index) {
-    Solid& solid = field.solids[static_cast<std::size_t>(index)];
+    Solid& solid = at(field.solids, index);
     solid.first_piece = static_cast<int>(field.pieces.size());
     const FoundBoundary boundary = boundary_below(field, solid.root);
     if (boundary.pieces.empty()) return;  // nothing, or everything: only the tree can tell which
-    const Exactness& formula = field.ops[static_cast<std::size_t>(solid.root)].exactness;
+    const Exactness& formula = at(field.ops, solid.root).exactness;
     if (boundary.horizon < infinity && formula.outside == Side::exact && formula.inside == Side::exact) return;  // it knows no horizon
     for (const OwnedPiece& piece : boundary.pieces)
         field.pieces.push_back({piece.piece, index, piece.origin, solid.layers});

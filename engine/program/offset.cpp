@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/program/cutting.h"
 #include "engine/program/tree.h"
 #include "engine/sdf/piece_distance.h"
@@ -21,12 +22,12 @@ std::vector<double> levels_of(const Op& op, const double* params) {
 }
 
 /// Appends the piece moved out of the solid by `distance`, unless that turns an arc inside out.
-void add_parallel(const OwnedPiece& owned, double distance, double tolerance, std::vector<Edge>& edges) {
+void add_parallel(const OwnedPiece& owned, double distance, double tolerance, std::vector<CutPiece>& edges) {
     const Piece& piece = owned.piece;
     const int owner = static_cast<int>(edges.size());
     if (!piece.is_arc()) {
         const Vec2 along = piece.b - piece.a, shift = -(distance / length(along)) * perpendicular(along);
-        edges.push_back(edge_of(Piece::segment(piece.a + shift, piece.b + shift), owner, owned.origin));
+        edges.push_back(cut_piece_of(Piece::segment(piece.a + shift, piece.b + shift), owner, owned.origin));
         return;
     }
     const double radius = piece.radius + piece.turn * distance;
@@ -34,7 +35,7 @@ void add_parallel(const OwnedPiece& owned, double distance, double tolerance, st
     const auto moved = [&](const Vec2& p) { return Vec2(piece.centre + (radius / length(p - piece.centre)) * (p - piece.centre)); };
     Piece out = piece.is_full_circle() ? Piece::circle(piece.centre, radius, piece.turn)
                                        : Piece::arc(piece.centre, radius, moved(piece.a), moved(piece.b), piece.turn, piece.reflex);
-    edges.push_back(edge_of(out, owner, owned.origin));
+    edges.push_back(cut_piece_of(out, owner, owned.origin));
 }
 
 /// Every corner once, with the piece that leaves or enters it.
@@ -63,28 +64,28 @@ bool offset_is_exact(const Exactness& child, const sdf::Affine& affine) {
 /// Every point of the new boundary is at that distance from a piece or from a corner: so it lies on the parallel of a piece or on a circle
 /// about a corner. All of these are cut where they meet, and those parts stay across which the offset's own field changes sign.
 std::vector<OwnedPiece> offset_boundary(const Field& field, int offset_op, const std::vector<OwnedPiece>& boundary) {
-    const Op& op = field.ops[static_cast<std::size_t>(offset_op)];
+    const Op& op = at(field.ops, offset_op);
     const std::vector<double> levels = levels_of(op, field.params.data() + op.params);
     double extent = 0;
     for (const OwnedPiece& owned : boundary) {
-        const Box2 box = edge_of(owned.piece, 0, 0).box;
+        const Box2 box = cut_piece_of(owned.piece, 0, 0).box;
         extent = std::max({extent, box.lo.cwiseAbs().maxCoeff(), box.hi.cwiseAbs().maxCoeff()});
     }
     for (const double level : levels) extent = std::max(extent, std::fabs(level));
     const double tolerance = 1e-12 * extent;
 
-    std::vector<Edge> edges;
+    std::vector<CutPiece> edges;
     for (const double level : levels)
         for (const OwnedPiece& owned : boundary) add_parallel(owned, level, tolerance, edges);
     const double radius = levels.empty() ? 0 : std::fabs(levels[0]);
     if (radius > tolerance)
         for (const auto& [corner, origin] : corners_of(boundary, tolerance))
-            edges.push_back(edge_of(Piece::circle(corner, radius), static_cast<int>(edges.size()), origin));
+            edges.push_back(cut_piece_of(Piece::circle(corner, radius), static_cast<int>(edges.size()), origin));
     cut_all(edges, tolerance);
 
     std::vector<OwnedPiece> out;
     const double aside = 100 * tolerance;
-    for (const Edge& edge : edges)
+    for (const CutPiece& edge : edges)
         for (const Piece& part : parts_of(edge)) {
             const Probe probe = probe_of(part, edge.cuts);
             const double right = tree_value(field, offset_op, probe.at + aside * probe.right);

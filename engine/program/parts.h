@@ -1,5 +1,5 @@
-// Plain cooked records of parts, materials and settings, for physics. The structs of the parts themselves come along
-// (engine/scene/parts/), so that a reflex loads its own from a record and nothing is declared twice.
+// Plain compiled records of parts, materials and settings, for physics. A reflex loads the struct of its own part (engine/scene/parts/)
+// from a record, so that nothing is declared twice; this header names none, so that touching one part rebuilds only what asks for it.
 #pragma once
 #include <string>
 #include <type_traits>
@@ -9,7 +9,6 @@
 #include "engine/core/id.h"
 #include "engine/reflect/load.h"
 #include "engine/reflect/node_type.h"
-#include "engine/scene/catalog.h"
 #include "engine/scene/records.h"
 
 namespace pinfield {
@@ -33,7 +32,7 @@ struct Part {
     P as() const { return load<P>(params.data()); }
 };
 
-/// As Material (engine/scene/records.h), with the colour ready for drawing.
+/// As Material (engine/scene/records.h), with the color ready for drawing.
 struct MaterialRecord {
     std::string name;
     double restitution = 0.3, falloff = 0, tangential = 0, friction = 0.3, scatter_degrees = 0;

@@ -3,8 +3,10 @@
 #include "engine/program/patch.h"
 
 #include <algorithm>
+#include <set>
 
-#include "engine/program/cook.h"
+#include "engine/core/at.h"
+#include "engine/program/compile_item.h"
 #include "engine/program/field.h"
 
 namespace pinfield {
@@ -13,35 +15,39 @@ namespace {
 class Patcher {
 public:
     Patcher(const Program& before, const Scene& scene)
-        : kitchen_(scene, before.layers), program_(std::make_shared<Program>(before)) {}
+        : context_(scene, before.layers), program_(std::make_shared<Program>(before)) {}
 
-    ProgramPtr record_changed(NodeId record) {
-        const Scene& scene = kitchen_.scene;
-        program_->materials = cook_materials(scene);
-        program_->physics = cook_physics(scene);
+    bool record_changed(NodeId record) {
+        const Scene& scene = context_.scene;
+        program_->materials = compile_materials(scene);
+        program_->physics = compile_physics(scene);
         program_->name = scene.table().get<std::string>("name");
         program_->size = scene.table().get<Vec2>("size");
         if (record == scene.table().id) {
             const int domain = solid_of(record);
-            if (domain >= 0 && !put(domain, cook_default_domain(kitchen_, program_->fixed.solids[at(domain)].layers)))
-                return nullptr;
+            if (domain >= 0 && !put(domain, compile_default_domain(context_, at(program_->fixed.solids, domain).layers)))
+                return false;
         }
-        return finished();
+        return true;
     }
 
-    ProgramPtr node_changed(NodeId node) {
+    /// A scene node, with all that belongs to it.
+    bool node_changed(NodeId scene_node) {
         std::vector<Item> items;
-        collect_items(kitchen_.scene, scene_node_of(kitchen_.scene, node), items);
-        for (const Item& item : items)
-            if (!(item.is_part ? part_changed(item) : put(solid_of(item.node), cook_static(item)))) return nullptr;
-        return finished();
+        collect_items(context_.scene, scene_node, items);
+        return std::all_of(items.begin(), items.end(), [&](const Item& item) {
+            return item.is_part ? part_changed(item) : put(solid_of(item.node), compile_static(item));
+        });
     }
 
-    ProgramPtr unchanged() { return program_; }
+    ProgramPtr finished() {
+        if (has_errors(context_.problems)) return nullptr;
+        if (index_fixed_) index(program_->fixed);
+        return program_;
+    }
 
 private:
-    static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
+    
     int solid_of(NodeId origin) const {
         const auto& solids = program_->fixed.solids;
         const auto found =
@@ -49,15 +55,15 @@ private:
         return found == solids.end() ? -1 : static_cast<int>(found - solids.begin());
     }
 
-    Field cook_static(const Item& item) {
-        return cook_solid(kitchen_, item, world_from_local(kitchen_.scene, item.node));
+    Field compile_static(const Item& item) {
+        return compile_solid(context_, item, world_from_local(context_.scene, item.node));
     }
 
     /// False when the edit made a solid come or go: then indices change, and compile() must count them again.
     bool put(int solid, Field fragment) {
         if ((solid < 0) != fragment.solids.empty()) return false;
         if (solid < 0) return true;
-        fragment.solids[0].part = program_->fixed.solids[at(solid)].part;
+        fragment.solids[0].part = at(program_->fixed.solids, solid).part;
         replace_solid(program_->fixed, solid, fragment);
         index_fixed_ = true;
         return true;
@@ -68,47 +74,49 @@ private:
                                         [&](const Part& p) { return p.origin == item.node; });
         if (found == program_->parts.end()) return false;
         Part& part = *found;
-        Part fresh = cook_part(kitchen_, item);
+        Part fresh = compile_part(context_, item);
         fresh.solid = part.solid;
         fresh.mover = part.mover;
         fresh.sensor = part.sensor;
         part = std::move(fresh);
         if (part.mover >= 0) {
-            program_->movers[at(part.mover)] =
-                cook_mover(kitchen_, item, static_cast<int>(found - program_->parts.begin()));
+            at(program_->movers, part.mover) =
+                compile_mover(context_, item, static_cast<int>(found - program_->parts.begin()));
             return true;
         }
-        Field fragment = cook_solid(kitchen_, item, part.world_from_part);
+        Field fragment = compile_solid(context_, item, part.world_from_part);
         if (item.role != Role::sensor) return put(part.solid, std::move(fragment));
         if ((part.sensor < 0) != fragment.solids.empty()) return false;
         if (part.sensor < 0) return true;
         index(fragment);
-        program_->sensors[at(part.sensor)].field = std::move(fragment);
+        at(program_->sensors, part.sensor).field = std::move(fragment);
         return true;
     }
 
-    ProgramPtr finished() {
-        if (has_errors(kitchen_.problems)) return nullptr;
-        if (index_fixed_) index(program_->fixed);
-        return program_;
-    }
-
-    Kitchen kitchen_;
+    CompileContext context_;
     std::shared_ptr<Program> program_;
     bool index_fixed_ = false;
 };
 
 }  // namespace
 
-ProgramPtr patch(const Program& before, const Scene& scene, NodeId id, int field) {
-    const Node* node = scene.find(id);
-    if (!node) return nullptr;
-    const FieldType& changed = node->type->fields[static_cast<std::size_t>(field)];
-    if (node->type->meta.kind == NodeKind::record) return Patcher(before, scene).record_changed(id);
-    if (changed.key == "id" || changed.key == "layer")
-        return nullptr;  // names and layers are counted over the whole table
-    if (changed.key == "note" || changed.key == "locked") return Patcher(before, scene).unchanged();
-    return Patcher(before, scene).node_changed(id);
+ProgramPtr patch(const Program& before, const Scene& scene, std::span<const FieldChange> changes) {
+    std::set<NodeId> records, scene_nodes;
+    for (const FieldChange& change : changes) {
+        const Node* node = scene.find(change.node);
+        if (!node) return nullptr;
+        const Affects affects = at(node->type->fields, change.field).meta.affects;
+        if (affects == Affects::structure) return nullptr;
+        if (affects == Affects::nothing) continue;
+        if (node->type->meta.kind == NodeKind::record) records.insert(change.node);
+        else scene_nodes.insert(scene_node_of(scene, change.node));
+    }
+    Patcher patcher(before, scene);
+    for (const NodeId record : records)
+        if (!patcher.record_changed(record)) return nullptr;
+    for (const NodeId node : scene_nodes)
+        if (!patcher.node_changed(node)) return nullptr;
+    return patcher.finished();
 }
 
 }  // namespace pinfield

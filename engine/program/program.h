@@ -82,7 +82,7 @@ struct Mover {
     Vec2 pivot{0, 0};   ///< world
     double cosine = 1, sine = 0;  ///< of the part's turn in the world: mover frame -> world at q = 0
     double handedness = 1;        ///< -1 when the part's frame is mirrored: angles turn the other way
-    double lever = 0;   ///< largest distance of its solid from the pivot, metres
+    double bounding_radius = 0;  ///< largest distance of its solid from the pivot, metres
 };
 
 struct Sensor {

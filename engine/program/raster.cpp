@@ -7,6 +7,7 @@
 #include <array>
 #include <cstring>
 
+#include "engine/core/at.h"
 #include "engine/program/drawn_solids.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
@@ -28,7 +29,7 @@ public:
         for (std::size_t i = 0; i < field.solids.size(); ++i) {
             bool found = false;
             for (int op = first_op; op <= field.solids[i].root; ++op) {
-                const Op& leaf = field.ops[static_cast<std::size_t>(op)];
+                const Op& leaf = at(field.ops, op);
                 if (leaf.kernels->form != sdf::Form::shape) continue;
                 of_solid_[i] = !found || of_solid_[i] == leaf.material ? leaf.material : mixed;
                 if (of_solid_[i] == mixed) break;
@@ -38,22 +39,22 @@ public:
         }
     }
 
-    /// `near`: at the surface or in the solid, where the colour shows; elsewhere any leaf's will do.
-    std::int16_t at(int solid, const Vec2& p, bool near) const {
-        const int known = of_solid_[static_cast<std::size_t>(solid)];
+    /// `near`: at the surface or in the solid, where the color shows; elsewhere any leaf's will do.
+    std::int16_t material(int solid, const Vec2& p, bool near) const {
+        const int known = at(of_solid_, solid);
         if (known != mixed) return static_cast<std::int16_t>(known);
-        const int root = field_.solids[static_cast<std::size_t>(solid)].root;
+        const int root = at(field_.solids, solid).root;
         int leaf = root;
         if (near) evaluate_tree(field_, root, p, &leaf);
-        return static_cast<std::int16_t>(field_.ops[static_cast<std::size_t>(leaf)].material);
+        return static_cast<std::int16_t>(at(field_.ops, leaf).material);
     }
 
     static constexpr int mixed = -1;
     /// The material that all of these solids are made of, or `mixed`.
     int shared_by(std::span<const PacketSolid> solids) const {
-        const int first = of_solid_[static_cast<std::size_t>(solids[0].solid)];
+        const int first = at(of_solid_, solids[0].solid);
         const bool same = std::all_of(solids.begin(), solids.end(),
-                                      [&](const PacketSolid& s) { return of_solid_[static_cast<std::size_t>(s.solid)] == first; });
+                                      [&](const PacketSolid& s) { return at(of_solid_, s.solid) == first; });
         return same ? first : mixed;
     }
 
@@ -104,7 +105,7 @@ private:
         double least = infinity;  // an upper bound of the union's value anywhere in the tile
         std::size_t best = first;
         for (std::size_t i = first; i < last; ++i) {
-            const Solid& solid = field_.solids[static_cast<std::size_t>(kept_[i])];
+            const Solid& solid = at(field_.solids, kept_[i]);
             const double lipschitz = drawn_.lipschitz(kept_[i]);
             // The box bounds the solid, so outside its distance bounds an exact field from below: far ones need no evaluation. In the
             // box nothing is known, the least value may lie below by any depth.
@@ -212,7 +213,7 @@ private:
         const double near = 2 * length(pixel_);
         for (std::size_t k = first; k < first + leaf_tile; ++k) {
             const Vec2 p(static_cast<double>(x_[k]), static_cast<double>(y_[k]));
-            *to++ = materials_.at(winner_[k], p, static_cast<double>(distance_[k]) < near);
+            *to++ = materials_.material(winner_[k], p, static_cast<double>(distance_[k]) < near);
         }
     }
 
@@ -257,10 +258,10 @@ void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf:
     const Similarity mover_from_world = world_from_mover.inverse();
     const Vec2 pixel = raster.window.size().cwiseQuotient(Vec2(raster.width, raster.height));
     const double reach = 0.5 * leaf_tile * length(pixel);
-    const DrawnSolids drawn(mover.field, Box2::centred(mover.lever, mover.lever).grown(reach));
+    const DrawnSolids drawn(mover.field, Box2::centred(mover.bounding_radius, mover.bounding_radius).grown(reach));
     std::vector<PacketSolid> all;
     for (int i = 0; i < static_cast<int>(mover.field.solids.size()); ++i)
-        if (mover.field.solids[static_cast<std::size_t>(i)].visible)
+        if (at(mover.field.solids, i).visible)
             all.push_back({i, drawn.by_boundary(i) ? drawn.outline(i).data() : nullptr});
     const Materials materials(mover.field);
     std::array<float, leaf_tile * leaf_tile> x, y, d;
@@ -270,10 +271,10 @@ void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf:
             const int w = std::min(leaf_tile, raster.width - tx), h = std::min(leaf_tile, raster.height - ty);
             const Vec2 centre(raster.window.lo.x() + (tx + 0.5 * w) * pixel.x(),
                               raster.window.hi.y() - (ty + 0.5 * h) * pixel.y());
-            const float there = raster.distance[static_cast<std::size_t>((ty + h / 2) * raster.width + tx + w / 2)];
+            const float there = at(raster.distance, (ty + h / 2) * raster.width + tx + w / 2);
             // Both fields change by at most `reach` from the centre to anywhere in the tile (twice, as the pixel is not
             // the centre).
-            if (length(centre - world_from_mover.offset) - mover.lever - 2 * reach >
+            if (length(centre - world_from_mover.offset) - mover.bounding_radius - 2 * reach >
                 static_cast<double>(there) + 2 * reach)
                 continue;
             std::size_t n = 0;
@@ -293,7 +294,7 @@ void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf:
                     if (!(d[n] < raster.distance[to])) continue;
                     raster.distance[to] = d[n];
                     const Vec2 p(static_cast<double>(x[n]), static_cast<double>(y[n]));
-                    raster.material[to] = materials.at(winner[n], p, static_cast<double>(d[n]) < 2 * length(pixel));
+                    raster.material[to] = materials.material(winner[n], p, static_cast<double>(d[n]) < 2 * length(pixel));
                 }
         }
     }

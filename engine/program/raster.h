@@ -1,4 +1,4 @@
-// The Program's field sampled into an image: what the editor and `pinfield render` colour.
+// The Program's field sampled into an image: what the editor and `pinfield render` color.
 #pragma once
 #include <vector>
 
@@ -21,7 +21,7 @@ void rasterize(const Field& field, LayerMask layers, sdf::Isa isa, Raster& raste
 /// Lays a mover, at its present place, over a raster of the static field (minimum of both).
 void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf::Isa isa, Raster& raster);
 
-/// Colours a raster: 3 bytes a pixel, row 0 at the top.
+/// Colors a raster: 3 bytes a pixel, row 0 at the top.
 enum class RasterStyle : unsigned char { shaded, isolines };
 std::vector<unsigned char> colorize(const Raster& raster, const Program& program, RasterStyle style);
 

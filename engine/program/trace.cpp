@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/program/biarc.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
@@ -179,16 +180,16 @@ private:
 
 Box2 around_images(const Field& field, const Op& op, const Box2& child) {
     Box2 out;
-    for (int i = 0; i < op.image_count; ++i) out = out.merged(field.images[static_cast<std::size_t>(op.first_image + i)] * child);
+    for (int i = 0; i < op.image_count; ++i) out = out.merged(at(field.images, op.first_image + i) * child);
     return out;
 }
 
 /// A box around the zero line: the solid's, or, where the solid has no end, that of what is not solid.
 Box2 box_of_zero_line(const Field& field, int index) {
-    const Op& op = field.ops[static_cast<std::size_t>(index)];
+    const Op& op = at(field.ops, index);
     if (op.bounds.is_finite() || op.bounds.is_empty()) return op.bounds;
     const double* params = field.params.data() + op.params;
-    const auto child = [&](int i) { return box_of_zero_line(field, field.links[static_cast<std::size_t>(op.first_link + i)]); };
+    const auto child = [&](int i) { return box_of_zero_line(field, at(field.links, op.first_link + i)); };
     if (op.kernels->form == sdf::Form::modify) return child(0).grown(std::fabs(op.kernels->affine(params).offset) * op.scale);
     if (op.kernels->form == sdf::Form::images) return around_images(field, op, child(0));
     if (op.kernels->form != sdf::Form::fold || op.kernels->combine_hard != op.kernels->combine) return Box2::everything();

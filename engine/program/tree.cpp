@@ -3,6 +3,7 @@
 
 #include <cassert>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/field.h"
 
@@ -19,12 +20,12 @@ Vec2 direction_before(const Similarity& m, const Vec2& d) {
 }
 
 const double* params_of(const Field& field, const Op& op) { return field.params.data() + op.params; }
-const Op& op_at(const Field& field, int op) { return field.ops[static_cast<std::size_t>(op)]; }
+const Op& op_at(const Field& field, int op) { return at(field.ops, op); }
 int child_of(const Field& field, const Op& op, int i) {
-    return field.links[static_cast<std::size_t>(op.first_link + i)];
+    return at(field.links, op.first_link + i);
 }
 const Similarity& image_of(const Field& field, const Op& op, int i) {
-    return field.images[static_cast<std::size_t>(op.first_image + i)];
+    return at(field.images, op.first_image + i);
 }
 
 double fold_value(const Field& field, const Op& op, const Vec2& p) {
@@ -157,7 +158,7 @@ void add_fold_weights(const Field& field, const Op& op, const Vec2& p, double sh
         weights.push_back(share * std::fabs(f.by_b));
     }
     for (int i = 0; i < op.child_count; ++i)
-        if (const double weight = weights[static_cast<std::size_t>(i)]; weight > 0)
+        if (const double weight = at(weights, i); weight > 0)
             add_weights(field, child_of(field, op, i), p, weight, out);
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
 
@@ -20,7 +21,7 @@ class Lattice {
 public:
     Lattice(const Field& field, int op, const Box2& window, int cells)
         : field_(field), op_(op), origin_(window.lo), step_(window.size().maxCoeff() / cells), cells_(cells),
-          lipschitz_(field.ops[static_cast<std::size_t>(op)].exactness.lipschitz),
+          lipschitz_(at(field.ops, op).exactness.lipschitz),
           values_(static_cast<std::size_t>(cells + 1) * static_cast<std::size_t>(cells + 1), std::numeric_limits<double>::quiet_NaN()) {}
 
     bool link_cells(bool settle) {
@@ -32,8 +33,8 @@ public:
         std::vector<std::vector<ZeroPoint>> out;
         while (!next_.empty()) {
             std::vector<ZeroPoint> loop;
-            const Edge first = next_.begin()->first;
-            Edge edge = first;
+            const LatticeEdge first = next_.begin()->first;
+            LatticeEdge edge = first;
             do {
                 const auto link = next_.find(edge);
                 if (link == next_.end()) return std::nullopt;  // it ran out of the window
@@ -50,11 +51,11 @@ public:
 
 private:
     /// From node (i, j) to its right neighbour, or upward.
-    struct Edge {
+    struct LatticeEdge {
         int i = 0, j = 0;
         bool upward = false;
-        bool operator==(const Edge&) const = default;
-        bool operator<(const Edge& b) const { return j != b.j ? j < b.j : i != b.i ? i < b.i : upward < b.upward; }
+        bool operator==(const LatticeEdge&) const = default;
+        bool operator<(const LatticeEdge& b) const { return j != b.j ? j < b.j : i != b.i ? i < b.i : upward < b.upward; }
     };
 
     Vec2 place(double i, double j) const { return origin_ + step_ * Vec2(i, j); }
@@ -86,25 +87,26 @@ private:
 
     bool link(int i, int j) {
         const std::array<bool, 4> solid{value(i, j) < 0, value(i + 1, j) < 0, value(i + 1, j + 1) < 0, value(i, j + 1) < 0};
-        const std::array<Edge, 4> edges{Edge{i, j, false}, Edge{i + 1, j, true}, Edge{i, j + 1, false}, Edge{i, j, true}};
+        const std::array<LatticeEdge, 4> edges{LatticeEdge{i, j, false}, LatticeEdge{i + 1, j, true}, LatticeEdge{i, j + 1, false},
+                                               LatticeEdge{i, j, true}};
         int leaving = 0, last = 0;  // edges on which the solid ends, walking round the cell counter-clockwise
         for (int k = 0; k < 4; ++k)
-            if (solid[at(k)] && !solid[at(k + 1)]) ++leaving, last = k;
+            if (solid[corner(k)] && !solid[corner(k + 1)]) ++leaving, last = k;
         if (leaving == 0) return settle_ || !hides_something(i, j, 1, solid[0], probing_depth);
         if (leaving == 2) {
             if (!settle_) return false;
             // A saddle: the middle goes with one pair of opposite corners, and the line cuts off each of the other two.
             const int way = tree_value(field_, op_, place(i + 0.5, j + 0.5)) < 0 ? 1 : 3;
-            for (const int k : {last, last + 2}) next_[edges[at(k)]] = edges[at(k + way)];
+            for (const int k : {last, last + 2}) next_[edges[corner(k)]] = edges[corner(k + way)];
             return true;
         }
         for (int k = 0; k < 4; ++k)
-            if (!solid[at(k)] && solid[at(k + 1)]) next_[edges[at(last)]] = edges[at(k)];
+            if (!solid[corner(k)] && solid[corner(k + 1)]) next_[edges[corner(last)]] = edges[corner(k)];
         return true;
     }
 
     /// Between the two nodes of an edge, which lie on either side: false position in its Illinois form.
-    std::optional<ZeroPoint> crossing(const Edge& edge) {
+    std::optional<ZeroPoint> crossing(const LatticeEdge& edge) {
         Vec2 a = place(edge.i, edge.j), b = edge.upward ? place(edge.i, edge.j + 1) : place(edge.i + 1, edge.j), p = a;
         double at_a = value(edge.i, edge.j), at_b = edge.upward ? value(edge.i, edge.j + 1) : value(edge.i + 1, edge.j);
         int kept = 0;  // how often in a row b stayed where it is, or a: < 0
@@ -125,7 +127,7 @@ private:
         return zero_point_at(field_, op_, p);
     }
 
-    static std::size_t at(int k) { return static_cast<std::size_t>(k % 4); }
+    static std::size_t corner(int k) { return static_cast<std::size_t>(k % 4); }
 
     const Field& field_;
     int op_;
@@ -134,7 +136,7 @@ private:
     int cells_;
     double lipschitz_;
     std::vector<double> values_;
-    std::map<Edge, Edge> next_;
+    std::map<LatticeEdge, LatticeEdge> next_;
     bool settle_ = false;
 };
 

@@ -8,14 +8,14 @@
 
 namespace pinfield {
 
-/// Node types in the order they were added; addresses of types are stable for the catalogue's life, so nodes may point at them.
-class Catalogue {
+/// Node types in the order they were added; addresses of types are stable for the catalog's life, so nodes may point at them.
+class Catalog {
 public:
-    Catalogue() = default;
-    Catalogue(const Catalogue&) = delete;
-    Catalogue& operator=(const Catalogue&) = delete;
-    Catalogue(Catalogue&&) = default;
-    Catalogue& operator=(Catalogue&&) = default;
+    Catalog() = default;
+    Catalog(const Catalog&) = delete;
+    Catalog& operator=(const Catalog&) = delete;
+    Catalog(Catalog&&) = default;
+    Catalog& operator=(Catalog&&) = default;
 
     /// The key must be new.
     const NodeType& add(NodeType type);

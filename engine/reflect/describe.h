@@ -33,8 +33,13 @@ constexpr Limit below(double v) { return {v, true}; }
 constexpr Limit from(double v) { return {v, false}; }
 constexpr Limit to(double v) { return {v, false}; }
 
-/// What a text field means; `plain` for every field that is not a text.
-enum class Meaning : unsigned char { plain, color, id, input };
+/// What a field's value stands for beyond its kind. id: the node's own name. material, input, layer: names of such. count: how many
+/// copies an operation makes, which costs as many.
+enum class Meaning : unsigned char { plain, color, id, material, input, layer, count };
+
+/// What an edit of the field changes of a compiled table. structure: what is counted over the whole table (names, layers). shape: the
+/// node and what it belongs to. drawing: only how it looks. nothing: what is for people and tools.
+enum class Affects : unsigned char { structure, shape, drawing, nothing };
 
 /// The field means something only where the node's choice `field` is `choice`; always when empty.
 struct OnlyWith {
@@ -49,6 +54,7 @@ struct FieldMeta {
     double step = 0;        ///< of a drag in the editor, in file units; 0 lets the editor choose
     bool required = false;  ///< true: the author must say it, there is no default
     Meaning meaning = Meaning::plain;
+    Affects affects = Affects::shape;
     OnlyWith only_with{};
     std::string_view doc{};
 };

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "engine/core/at.h"
 #include "engine/reflect/load.h"
 #include "engine/reflect/node_type.h"
 
@@ -31,7 +32,9 @@ FieldKind kind_of(Meaning meaning) {
     else if constexpr (std::is_same_v<M, std::vector<std::string>>) return FieldKind::names;
     else {
         static_assert(std::is_same_v<M, std::string>, "a field is bool, int, double, Point, PointList, enum, ChoiceList or text");
-        return meaning == Meaning::color ? FieldKind::color : meaning == Meaning::id ? FieldKind::id : FieldKind::text;
+        return meaning == Meaning::color                                 ? FieldKind::color
+               : meaning == Meaning::id || meaning == Meaning::material ? FieldKind::id
+                                                                        : FieldKind::text;
     }
 }
 
@@ -44,10 +47,10 @@ Value value_of(const M& member) {
         for (int i = 0; i < member.count; ++i) points.emplace_back(member[i].x, member[i].y);
         return points;
     } else if constexpr (Choice<M>) {
-        return std::string(choice_names(member)[static_cast<std::size_t>(member)]);
+        return std::string(at(choice_names(member), member));
     } else if constexpr (is_choice_list<M>) {
         std::vector<std::string> words;
-        for (int i = 0; i < member.count; ++i) words.emplace_back(choice_names(member[i])[static_cast<std::size_t>(member[i])]);
+        for (int i = 0; i < member.count; ++i) words.emplace_back(at(choice_names(member[i]), member[i]));
         return words;
     } else {
         return member;

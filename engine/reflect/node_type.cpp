@@ -16,7 +16,7 @@ std::string with_unit(double v, Unit unit) {
     return u.empty() ? to_text(v) : fmt::format("{} {}", to_text(v), u);
 }
 
-std::optional<std::string> refuse_number(const FieldMeta& meta, double v) {
+std::optional<std::string> why_invalid_number(const FieldMeta& meta, double v) {
     if (!std::isfinite(v)) return "must be a finite number";
     if (meta.unit == Unit::metre) {
         if (std::fabs(v) > longest_length) return fmt::format("must be within {}", with_unit(longest_length, meta.unit));
@@ -30,12 +30,12 @@ std::optional<std::string> refuse_number(const FieldMeta& meta, double v) {
     return {};
 }
 
-std::optional<std::string> refuse_vec2(const FieldMeta& meta, const Vec2& v) {
-    if (auto why = refuse_number(meta, v.x())) return why;
-    return refuse_number(meta, v.y());
+std::optional<std::string> why_invalid_vec2(const FieldMeta& meta, const Vec2& v) {
+    if (auto why = why_invalid_number(meta, v.x())) return why;
+    return why_invalid_number(meta, v.y());
 }
 
-std::optional<std::string> refuse_choice(const FieldType& field, const std::string& word) {
+std::optional<std::string> why_invalid_choice(const FieldType& field, const std::string& word) {
     if (std::find(field.choices.begin(), field.choices.end(), word) != field.choices.end()) return {};
     return fmt::format("must be one of {}", fmt::join(field.choices, ", "));
 }
@@ -52,7 +52,7 @@ std::optional<int> NodeType::find_field(std::string_view wanted) const {
     return static_cast<int>(it - fields.begin());
 }
 
-std::optional<std::string> refuse(const FieldType& field, const Value& value) {
+std::optional<std::string> why_invalid(const FieldType& field, const Value& value) {
     const auto wrong_kind = [&] { return fmt::format("must be a {}", name(field.kind)); };
     switch (field.kind) {
         case FieldKind::boolean:
@@ -60,25 +60,25 @@ std::optional<std::string> refuse(const FieldType& field, const Value& value) {
             return {};
         case FieldKind::integer:
             if (!std::holds_alternative<std::int64_t>(value)) return wrong_kind();
-            return refuse_number(field.meta, static_cast<double>(std::get<std::int64_t>(value)));
+            return why_invalid_number(field.meta, static_cast<double>(std::get<std::int64_t>(value)));
         case FieldKind::number:
             if (!std::holds_alternative<double>(value)) return wrong_kind();
-            return refuse_number(field.meta, std::get<double>(value));
+            return why_invalid_number(field.meta, std::get<double>(value));
         case FieldKind::vec2:
             if (!std::holds_alternative<Vec2>(value)) return wrong_kind();
-            return refuse_vec2(field.meta, std::get<Vec2>(value));
+            return why_invalid_vec2(field.meta, std::get<Vec2>(value));
         case FieldKind::points:
             if (!std::holds_alternative<std::vector<Vec2>>(value)) return wrong_kind();
             for (const Vec2& p : std::get<std::vector<Vec2>>(value))
-                if (auto why = refuse_vec2(field.meta, p)) return why;
+                if (auto why = why_invalid_vec2(field.meta, p)) return why;
             return {};
         case FieldKind::choice:
             if (!std::holds_alternative<std::string>(value)) return wrong_kind();
-            return refuse_choice(field, std::get<std::string>(value));
+            return why_invalid_choice(field, std::get<std::string>(value));
         case FieldKind::choices:
             if (!std::holds_alternative<std::vector<std::string>>(value)) return wrong_kind();
             for (const std::string& word : std::get<std::vector<std::string>>(value))
-                if (auto why = refuse_choice(field, word)) return why;
+                if (auto why = why_invalid_choice(field, word)) return why;
             return {};
         case FieldKind::text:
         case FieldKind::color:

@@ -48,13 +48,13 @@ struct NodeType {
 inline constexpr double longest_length = 1e6, shortest_length = 1e-9;
 
 /// First reason why a value may not stand in this field (range, choice, NaN, kind), as "must be above 0 m", or nothing.
-std::optional<std::string> refuse(const FieldType& field, const Value& value);
+std::optional<std::string> why_invalid(const FieldType& field, const Value& value);
 
 /// The packed block of a node: one real per bool, int, number or choice (its index), two per vec2, and (offset, count) per list
 /// of points, whose coordinates follow after `derived` further reals left 0 for the node's derive(). Texts, ids and names take none.
 std::vector<double> pack(const NodeType& type, std::span<const Value> own_values, int derived = 0);
 
-/// Sentence of the first contract the packed values break, or nothing. Ranges are checked by refuse().
+/// Sentence of the first contract the packed values break, or nothing. Ranges are checked by why_invalid().
 std::optional<std::string_view> broken_contract(const NodeType& type, const double* params);
 
 std::string_view name(NodeKind kind);

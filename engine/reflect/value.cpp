@@ -33,7 +33,7 @@ std::string_view name(FieldKind kind) {
         case FieldKind::text: return "string";
         case FieldKind::choice: return "enum";
         case FieldKind::choices: return "list of enum";
-        case FieldKind::color: return "colour";
+        case FieldKind::color: return "color";
         case FieldKind::id: return "id";
         case FieldKind::names: return "list of ids";
     }

@@ -11,7 +11,7 @@
 namespace pinfield {
 
 /// Numbers are SI; angles are degrees, as in the file (radians begin where a value is packed for a formula).
-/// A choice, a colour and an id are texts; `choices` and `names` are lists of choices and of ids.
+/// A choice, a color and an id are texts; `choices` and `names` are lists of choices and of ids.
 enum class FieldKind : unsigned char { boolean, integer, number, vec2, points, text, choice, choices, color, id, names };
 
 using Value = std::variant<bool, std::int64_t, double, Vec2, std::vector<Vec2>, std::string, std::vector<std::string>>;

@@ -2,6 +2,8 @@
 
 #include "engine/reflect/erase.h"
 #include "engine/scene/node_common.h"
+#include "engine/scene/part_list.h"
+#include "engine/scene/part_traits.h"
 #include "engine/scene/records.h"
 #include "engine/sdf/nodes/box.h"
 #include "engine/sdf/nodes/circle.h"
@@ -39,33 +41,33 @@ const PartTraits& traits_of() {
 }
 
 template <class... P>
-void add_parts(Catalogue& catalogue, PartList<P...>) {
+void add_parts(Catalog& catalog, PartList<P...>) {
     const auto add = [&](NodeType type, const PartTraits& traits) {
         type.part = &traits;
-        add_scene_type(catalogue, std::move(type));
+        add_scene_type(catalog, std::move(type));
     };
     (add(node_type<P>(), traits_of<P>()), ...);
 }
 
 }  // namespace
 
-const NodeType& add_scene_type(Catalogue& catalogue, NodeType type) {
+const NodeType& add_scene_type(Catalog& catalog, NodeType type) {
     for (FieldType field : node_type<NodeCommon>().fields) {
         field.common = true;
         type.fields.push_back(std::move(field));
     }
-    return catalogue.add(std::move(type));
+    return catalog.add(std::move(type));
 }
 
-Catalogue built_in_catalogue() {
-    Catalogue nodes, catalogue;
+Catalog built_in_catalog() {
+    Catalog nodes, catalog;
     sdf::add_built_in(nodes);
-    for (const NodeType& type : nodes.types()) add_scene_type(catalogue, type);
-    add_parts(catalogue, BuiltInParts{});
-    catalogue.add(node_type<TableInfo>());
-    catalogue.add(node_type<PhysicsSettings>());
-    catalogue.add(node_type<Material>());
-    return catalogue;
+    for (const NodeType& type : nodes.types()) add_scene_type(catalog, type);
+    add_parts(catalog, BuiltInParts{});
+    catalog.add(node_type<TableInfo>());
+    catalog.add(node_type<PhysicsSettings>());
+    catalog.add(node_type<Material>());
+    return catalog;
 }
 
 }  // namespace pinfield

@@ -1,28 +1,14 @@
-// All that a scene may hold: the shapes and operations of engine/sdf/catalog.h and the parts named here.
+// All that a scene may hold: the shapes and operations of engine/sdf/catalog.h and the parts of part_list.h.
 #pragma once
-#include <memory>
-
-#include "engine/reflect/catalogue.h"
-#include "engine/scene/parts/bumper.h"
-#include "engine/scene/parts/domain.h"
-#include "engine/scene/parts/drain.h"
-#include "engine/scene/parts/flipper.h"
-#include "engine/scene/parts/group.h"
-#include "engine/scene/parts/plunger.h"
-#include "engine/scene/parts/spawn.h"
+#include "engine/reflect/catalog.h"
 
 namespace pinfield {
 
-template <class... P>
-struct PartList {};
-
-using BuiltInParts = PartList<parts::Group, parts::Domain, parts::Flipper, parts::Bumper, parts::Plunger, parts::Drain, parts::Spawn>;
-
 /// The built-in shapes, operations and parts, and the records `table`, `physics` and `material`; every scene node's type
 /// already carries the common fields after its own. A program may add types of its own with add_scene_type().
-Catalogue built_in_catalogue();
+Catalog built_in_catalog();
 
-/// Adds a shape or operation (from sdf_node_type<N>()) to a catalogue of scene nodes: appends the common fields.
-const NodeType& add_scene_type(Catalogue& catalogue, NodeType type);
+/// Adds a shape or operation (from sdf_node_type<N>()) to a catalog of scene nodes: appends the common fields.
+const NodeType& add_scene_type(Catalog& catalog, NodeType type);
 
 }  // namespace pinfield

@@ -8,21 +8,21 @@
 
 namespace pinfield {
 
-/// Sets one field of one node (or record) to a value; `given` tells whether the author's text is to say it.
+/// Sets one field of one node (or record) to a value; `is_explicit` tells whether the author's text is to say it.
 struct Edit {
     NodeId node;
     int field = 0;  ///< index into the node type's fields
     Value value;
-    bool given = true;
+    bool is_explicit = true;
 };
 
-/// Sentence of the first contract that the node's values break, or nothing. Ranges are checked by refuse().
+/// Sentence of the first contract that the node's values break, or nothing. Ranges are checked by why_invalid().
 std::optional<std::string_view> broken_contract(const Node& node);
 
 /// Why an edit cannot be applied (range, kind, contract, an id that is taken), or nothing.
-std::optional<std::string> refuse(const Scene& scene, const Edit& edit);
+std::optional<std::string> why_invalid(const Scene& scene, const Edit& edit);
 
-/// Applies an edit that refuse() lets pass and returns the edit that undoes it, bit for bit.
+/// Applies an edit that why_invalid() lets pass and returns the edit that undoes it, bit for bit.
 Edit apply(Scene& scene, const Edit& edit);
 
 }  // namespace pinfield

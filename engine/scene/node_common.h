@@ -29,16 +29,21 @@ struct NodeCommon {
         using C = NodeCommon;
         return record<C>(
             {.key = "common", .doc = "Fields of every scene node."},
-            fields(field("id", &C::id, {.meaning = Meaning::id, .doc = "Name of the node, unique in its file."}),
+            fields(field("id", &C::id,
+                         {.meaning = Meaning::id, .affects = Affects::structure, .doc = "Name of the node, unique in its file."}),
                    field("at", &C::at, {.unit = Unit::metre, .step = 0.001, .doc = "Where the local origin lies in the parent's frame."}),
                    field("turn", &C::turn, {.unit = Unit::degree, .step = 1, .doc = "Rotation, counter-clockwise."}),
                    field("scale", &C::scale, {.min = above(0), .step = 0.01, .doc = "Uniform scale, so that distances stay distances."}),
                    field("flip", &C::flip, {.doc = "Negates that local axis."}),
-                   field("material", &C::material, {.meaning = Meaning::id, .doc = "What the surface is made of; inherited by children."}),
-                   field("layer", &C::layer, {.doc = "Layers the node belongs to; none means the ground layer."}),
-                   field("visible", &C::visible, {.doc = "Drawn. The field does not change."}),
-                   field("locked", &C::locked, {.doc = "The editor neither picks nor moves it."}),
-                   field("note", &C::note, {.doc = "For people."})));
+                   field("material", &C::material,
+                         {.meaning = Meaning::material, .doc = "What the surface is made of; inherited by children."}),
+                   field("layer", &C::layer,
+                         {.meaning = Meaning::layer,
+                          .affects = Affects::structure,
+                          .doc = "Layers the node belongs to; none means the ground layer."}),
+                   field("visible", &C::visible, {.affects = Affects::drawing, .doc = "Drawn. The field does not change."}),
+                   field("locked", &C::locked, {.affects = Affects::nothing, .doc = "The editor neither picks nor moves it."}),
+                   field("note", &C::note, {.affects = Affects::nothing, .doc = "For people."})));
     }
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/core/trig.h"
 
@@ -10,9 +11,9 @@ namespace pinfield {
 namespace {
 
 void set(Node& node, std::string_view key, Value value) {
-    FieldSlot& slot = node.fields[static_cast<std::size_t>(*node.type->find_field(key))];
+    FieldSlot& slot = at(node.fields, *node.type->find_field(key));
     slot.value = std::move(value);
-    slot.given = true;
+    slot.is_explicit = true;
 }
 
 /// A round place on the table that one obstacle has for itself.
@@ -28,8 +29,8 @@ public:
 
     void run(int obstacles) {
         set(scene_.table(), "size", size_);
-        Node& domain = scene_.add(*scene_.catalogue().find("domain"));
-        Node& room = scene_.add(*scene_.catalogue().find("box"), domain.id);
+        Node& domain = scene_.add(*scene_.catalog().find("domain"));
+        Node& room = scene_.add(*scene_.catalog().find("box"), domain.id);
         set(room, "size", size_);
         set(room, "at", Vec2(0.5 * size_));
         // A bounded number of tries: a table too full for the last few obstacles has some fewer.
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    const NodeType& type(std::string_view key) const { return *scene_.catalogue().find(key); }
+    const NodeType& type(std::string_view key) const { return *scene_.catalog().find(key); }
 
     void place_one() {
         const int kind = static_cast<int>(plots_.size() % 10);
@@ -103,8 +104,8 @@ private:
 
 }  // namespace
 
-Scene playfield(std::shared_ptr<const Catalogue> catalogue, int obstacles, std::uint64_t seed) {
-    Scene scene(std::move(catalogue));
+Scene playfield(std::shared_ptr<const Catalog> catalog, int obstacles, std::uint64_t seed) {
+    Scene scene(std::move(catalog));
     set(scene.table(), "name", std::string("Generated playfield"));
     Node& elastic = scene.add_material("default");
     set(elastic, "restitution", 1.0);

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <utility>
 
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 
 namespace pinfield {
@@ -26,7 +27,7 @@ bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
         x.children.size() != y.children.size())
         return false;
     for (std::size_t i = 0; i < x.fields.size(); ++i)
-        if (x.fields[i].given != y.fields[i].given || !identical(x.fields[i].value, y.fields[i].value)) return false;
+        if (x.fields[i].is_explicit != y.fields[i].is_explicit || !identical(x.fields[i].value, y.fields[i].value)) return false;
     for (std::size_t i = 0; i < x.children.size(); ++i)
         if (!same_node(a, *a.find(x.children[i]), b, *b.find(y.children[i]))) return false;
     return true;
@@ -52,7 +53,7 @@ bool same_test(const TableTest& a, const TableTest& b) {
 const Value& Node::value(std::string_view key_of_field) const {
     const std::optional<int> index = type->find_field(key_of_field);
     assert(index && "the node type has no field of this key");
-    return fields[static_cast<std::size_t>(*index)].value;
+    return at(fields, *index).value;
 }
 
 bool Node::has_use_for(std::size_t field) const {
@@ -60,9 +61,9 @@ bool Node::has_use_for(std::size_t field) const {
     return with.field.empty() || get<std::string>(with.field) == with.choice;
 }
 
-Scene::Scene(std::shared_ptr<const Catalogue> catalogue) : catalogue_(std::move(catalogue)) {
-    table_ = insert(*catalogue_->find("table"), {}).id;
-    physics_ = insert(*catalogue_->find("physics"), {}).id;
+Scene::Scene(std::shared_ptr<const Catalog> catalog) : catalog_(std::move(catalog)) {
+    table_ = insert(*catalog_->find("table"), {}).id;
+    physics_ = insert(*catalog_->find("physics"), {}).id;
 }
 
 Node& Scene::insert(const NodeType& type, NodeId parent) {
@@ -82,7 +83,7 @@ Node& Scene::add(const NodeType& type, NodeId parent) {
 }
 
 Node& Scene::add_material(const std::string& name) {
-    Node& node = insert(*catalogue_->find("material"), {});
+    Node& node = insert(*catalog_->find("material"), {});
     node.name = name;
     materials_.push_back(node.id);
     return node;

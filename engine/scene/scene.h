@@ -9,7 +9,7 @@
 
 #include "engine/core/id.h"
 #include "engine/core/source_text.h"
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 #include "engine/reflect/value.h"
 
 namespace pinfield {
@@ -17,7 +17,7 @@ namespace pinfield {
 /// A field's value and, when the author wrote it, the byte range of that value in the text.
 struct FieldSlot {
     Value value;
-    bool given = false;
+    bool is_explicit = false;
     Span where{};
 };
 
@@ -67,11 +67,11 @@ struct TableTest {
 
 class Scene {
 public:
-    /// An empty table with default records. The catalogue must outlive the scene.
-    explicit Scene(std::shared_ptr<const Catalogue> catalogue);
+    /// An empty table with default records. The catalog must outlive the scene.
+    explicit Scene(std::shared_ptr<const Catalog> catalog);
 
-    const Catalogue& catalogue() const { return *catalogue_; }
-    const std::shared_ptr<const Catalogue>& shared_catalogue() const { return catalogue_; }
+    const Catalog& catalog() const { return *catalog_; }
+    const std::shared_ptr<const Catalog>& shared_catalog() const { return catalog_; }
 
     /// Adds a node of this type with default values under `parent` (none: the top level) and returns it.
     Node& add(const NodeType& type, NodeId parent = {});
@@ -109,7 +109,7 @@ public:
 private:
     Node& insert(const NodeType& type, NodeId parent);
 
-    std::shared_ptr<const Catalogue> catalogue_;
+    std::shared_ptr<const Catalog> catalog_;
     std::map<NodeId, Node> nodes_;
     std::vector<NodeId> roots_, materials_;
     NodeId table_, physics_;

@@ -43,7 +43,7 @@ Point<R> nearest_on_arc(const Point<R>& p, const ArcThrough& arc) {
     const PackedPiece& c = arc.circle;
     const auto after_start = (p.x - R(c.ax)) * R(c.start_x) + (p.y - R(c.ay)) * R(c.start_y) >= R(0);
     const auto before_end = (p.x - R(c.bx)) * R(c.end_x) + (p.y - R(c.by)) * R(c.end_y) <= R(0);
-    const Nearest<R> found = distance_to_curve(p, c);
+    const CurveDistance<R> found = distance_to_curve(p, c);
     const Point<R> foot{p.x - found.distance * found.normal_x, p.y - found.distance * found.normal_y};
     const Point<R> a{R(c.ax), R(c.ay)}, b{R(c.bx), R(c.by)}, from_a = p - a, from_b = p - b;
     const Point<R> end = select(dot(from_b, from_b) < dot(from_a, from_a), b, a);

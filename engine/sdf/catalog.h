@@ -1,6 +1,6 @@
 // THE list of shapes and operations: nine families, each a list in families/<family>.h. To add one: write its header, name it in the
 // list of its family, give it a scene in scenes/nodes/. Every family is compiled in three units of its own, made from families/*.in, and
-// this header includes no node: touching a shape recompiles its family, not the catalogue.
+// this header includes no node: touching a shape recompiles its family, not the catalog.
 #pragma once
 #include <vector>
 
@@ -31,7 +31,7 @@ struct Family {
     FillPackets* fill_avx2;
     FillEnclosures* fill_enclosures;
 };
-/// In the order of the catalogue.
+/// In the order of the catalog.
 inline constexpr Family families[] = {
     {add_basic_shapes, fill_basic_shapes_avx2, fill_basic_shapes_enclosures},
     {add_basic_figures, fill_basic_figures_avx2, fill_basic_figures_enclosures},

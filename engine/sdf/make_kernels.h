@@ -3,6 +3,7 @@
 #pragma once
 #include <concepts>
 
+#include "engine/core/at.h"
 #include "engine/reflect/erase.h"
 #include "engine/reflect/load.h"
 #include "engine/sdf/dual.h"
@@ -164,7 +165,7 @@ Kernels make_kernels() {
             }
         }
     }
-    k.packets[static_cast<std::size_t>(Isa::sse2)] = packet_kernels<N, Packet<xsimd::sse2>>();
+    at(k.packets, Isa::sse2) = packet_kernels<N, Packet<xsimd::sse2>>();
     return k;
 }
 

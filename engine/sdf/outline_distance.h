@@ -27,7 +27,7 @@ inline constexpr int pieces_in_a_box = 16, packed_box_size = 4;
 
 /// A distance and the direction of its gradient.
 template <class Real>
-struct Nearest {
+struct CurveDistance {
     Real distance, normal_x, normal_y;
 };
 
@@ -35,7 +35,7 @@ struct Nearest {
 /// |u - d n - ...| = 0 written as (k u.u + 2 n.u) / (1 + |k u + n|): one formula for lines (k = 0) and for arcs of any radius, which
 /// subtracts no two large numbers where the arc is flat.
 template <class Real>
-Nearest<Real> distance_to_curve(const Point<Real>& p, const PackedPiece& c) {
+CurveDistance<Real> distance_to_curve(const Point<Real>& p, const PackedPiece& c) {
     const Real k(c.curvature), nx(c.normal_x), ny(c.normal_y);
     const Point<Real> u{p.x - Real(c.apex_x), p.y - Real(c.apex_y)};
     const Real x = k * u.x + nx, y = k * u.y + ny, length = sqrt(x * x + y * y);
@@ -47,7 +47,7 @@ Nearest<Real> distance_to_curve(const Point<Real>& p, const PackedPiece& c) {
 
 /// Signed distance to the point a piece starts from; the corner's direction gives the sign.
 template <class Real>
-Nearest<Real> distance_to_start(const Point<Real>& p, const PackedPiece& c) {
+CurveDistance<Real> distance_to_start(const Point<Real>& p, const PackedPiece& c) {
     const Real x = p.x - Real(c.ax), y = p.y - Real(c.ay), length = sqrt(x * x + y * y);
     const Real side = sign(x * Real(c.corner_x) + y * Real(c.corner_y));
     const auto there = length <= Real(0);
@@ -63,7 +63,7 @@ template <class R>
 struct OutlineSearch {
     Point<R> q;
     R size, epsilon = R(4 * epsilon_of(R(0)));
-    Nearest<R> best{R(1e30), R(1), R(0)};
+    CurveDistance<R> best{R(1e30), R(1), R(0)};
     R best_bend = R(0);
 
     R tie(const R& d) const { return epsilon * max(size, abs(d)); }
@@ -73,7 +73,7 @@ struct OutlineSearch {
         const R past_start = (q.x - R(c.ax)) * R(c.start_x) + (q.y - R(c.ay)) * R(c.start_y);
         const R past_end = (q.x - R(c.bx)) * R(c.end_x) + (q.y - R(c.by)) * R(c.end_y);
         const auto beside = both(past_start >= R(0), past_end <= R(0));
-        const Nearest<R> curve = distance_to_curve(q, c), start = distance_to_start(q, c);
+        const CurveDistance<R> curve = distance_to_curve(q, c), start = distance_to_start(q, c);
         const R d = select(beside, curve.distance, start.distance), gain = abs(best.distance) - abs(d);
         const R bend = select(beside, -sign(d) * R(c.curvature), R(-1e30));
         const auto nearer = either(gain > tie(d), both(gain >= -tie(d), bend > best_bend));

@@ -91,18 +91,6 @@ PackedPiece packed(const Outline& pieces, std::size_t i, double tolerance) {
 
 }  // namespace
 
-void close_by_reflection(Outline& upper_half) {
-    const auto mirrored = [](const Vec2& p) { return Vec2(p.x(), -p.y()); };
-    for (std::size_t i = upper_half.size(); i-- > 0;) {
-        Piece piece = upper_half[i];
-        const Vec2 a = mirrored(piece.b);
-        piece.b = mirrored(piece.a);
-        piece.a = a;
-        piece.centre = mirrored(piece.centre);
-        upper_half.push_back(piece);
-    }
-}
-
 Box2 bounds_of(const Outline& outline) {
     Box2 box;
     for (const Piece& piece : outline) box = box.merged(bounds_of(piece));

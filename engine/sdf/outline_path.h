@@ -32,10 +32,6 @@ private:
     Vec2 start_, at_;
 };
 
-/// The pieces and their reflections in the x axis, for the upper half of a symmetrical figure: a chain that starts and ends
-/// on the axis becomes a loop.
-void close_by_reflection(Outline& upper_half);
-
 /// Box around all pieces.
 Box2 bounds_of(const Outline& outline);
 

@@ -1,4 +1,4 @@
-// A node of a program's own, complete: what its catalogue takes. The engine's nodes have the same from units of their own, so that each
+// A node of a program's own, complete: what its catalog takes. The engine's nodes have the same from units of their own, so that each
 // compiles only a part of it.
 #pragma once
 #include "engine/sdf/make_enclosures.h"
@@ -17,7 +17,7 @@ const Kernels& kernels_of() {
     return kernels;
 }
 
-/// Description and kernels of N together: what a Catalogue takes.
+/// Description and kernels of N together: what a Catalog takes.
 template <template <class> class N>
 NodeType sdf_node_type() {
     NodeType type = node_type<N<double>>();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "engine/core/at.h"
 #include "engine/sdf/catalog.h"
 
 namespace pinfield::sdf {
@@ -25,7 +26,7 @@ BuiltIn all_families() {
         family.fill_avx2(avx2.data());
         family.fill_enclosures(enclosures.data());
         for (std::size_t i = 0; i < count; ++i) {
-            out.kernels[first + i].packets[static_cast<std::size_t>(Isa::avx2)] = avx2[i];
+            at(out.kernels[first + i].packets, Isa::avx2) = avx2[i];
             out.kernels[first + i].enclosures = enclosures[i];
         }
     }
@@ -40,9 +41,9 @@ const BuiltIn& built_in() {
 
 }  // namespace
 
-void add_built_in(Catalogue& catalogue) {
+void add_built_in(Catalog& catalog) {
     const std::vector<NodeType>& types = built_in().types;
-    for (std::size_t i = 0; i + 1 < types.size(); ++i) catalogue.add(types[i]);
+    for (std::size_t i = 0; i + 1 < types.size(); ++i) catalog.add(types[i]);
 }
 
 const NodeType& built_in_type(std::string_view key) {

@@ -66,11 +66,11 @@ bool play(const Scene& scene, const ProgramPtr& program, double seconds) {
 int main(int argc, char** argv) {
     if (argc != 3) return fmt::print(stderr, "usage: my_shape TABLE OUT.png\n"), 2;
 
-    // The one line that makes a shape part of the language: reader, schema, editor and physics go by the catalogue.
-    auto catalogue = std::make_shared<Catalogue>(built_in_catalogue());
-    add_scene_type(*catalogue, sdf::sdf_node_type<my::Shield>());
+    // The one line that makes a shape part of the language: reader, schema, editor and physics go by the catalog.
+    auto catalog = std::make_shared<Catalog>(built_in_catalog());
+    add_scene_type(*catalog, sdf::sdf_node_type<my::Shield>());
 
-    const auto table = load_table(argv[1], catalogue);
+    const auto table = load_table(argv[1], catalog);
     if (!table) return fmt::print(stderr, "{}\n", table.error().message), 3;
     print(table->diagnostics, *table->source);
     if (!table->ok()) return 1;

@@ -1,10 +1,12 @@
 // Medians of what the program layer costs, on the generated playfield: `bench_program [picture-prefix]` also draws it.
+#include <array>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <ctime>
 #include <functional>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/io/load_table.h"
 #include "engine/io/png.h"
@@ -104,10 +106,10 @@ void bench(const std::string& name, Scene& scene, const std::string& picture) {
                                                      if (!compile(scene)) std::abort();
                                                  }));
     NodeId last = scene.roots().back();
-    const int at = *scene.find(last)->type->find_field("at");
+    const int place = *scene.find(last)->type->find_field("at");
     const double t = median_time(50, [&] {
-        std::get<Vec2>(scene.find(last)->fields[static_cast<std::size_t>(at)].value).x() += 1e-7;
-        if (!patch(**program, scene, last, at)) std::abort();
+        std::get<Vec2>(at(scene.find(last)->fields, place).value).x() += 1e-7;
+        if (!patch(**program, scene, std::array{FieldChange{last, place}})) std::abort();
     });
     fmt::print("{:<44} {:8.1f} us\n", "patch of one solid's place", 1e6 * t);
     bench_queries(**program);
@@ -118,11 +120,11 @@ void bench(const std::string& name, Scene& scene, const std::string& picture) {
 
 int main(int argc, char** argv) {
     const std::string prefix = argc > 1 ? argv[1] : "";
-    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
-    Scene field = playfield(catalogue, 200);
+    const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
+    Scene field = playfield(catalog, 200);
     bench("playfield", field, prefix.empty() ? "" : prefix + "playfield");
     if (argc > 2) {
-        auto table = load_table(argv[2], catalogue);
+        auto table = load_table(argv[2], catalog);
         if (table && table->ok()) bench(argv[2], table->scene, prefix + "table");
     }
     return 0;

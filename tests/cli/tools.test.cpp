@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -43,7 +44,7 @@ TEST_CASE("check says of every wrong table what and where, on stdout, with the s
         std::smatch expected;
         const std::string first = lines_of(slurp(file)).at(0);
         REQUIRE(std::regex_match(first, expected, promise));
-        const std::string code = expected[1], place = ":" + expected[2].str() + ":" + expected[3].str() + ": ";
+        const std::string code = expected[1], place = fmt::format(":{}:{}: ", expected[2].str(), expected[3].str());
         const bool is_error = code[0] == 'E';
 
         const Outcome outcome = run_pinfield("check " + file.string());

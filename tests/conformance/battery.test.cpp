@@ -6,19 +6,19 @@
 
 namespace pinfield::conformance {
 
-TEST_CASE("every shape and operation of the catalogue obeys every law") {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
-    for (const NodeType& type : catalogue.types()) {
+TEST_CASE("every shape and operation of the catalog obeys every law") {
+    Catalog catalog;
+    sdf::add_built_in(catalog);
+    for (const NodeType& type : catalog.types()) {
         INFO(type.key());
-        CHECK(check(catalogue, type, 40));
+        CHECK(check(catalog, type, 40));
     }
 }
 
 TEST_CASE("a report names each broken law once, with the parameters, the place and the numbers of its first violations") {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
-    CHECK(Catch::Detail::stringify(check(*catalogue.find("circle"), 1)) == "circle obeys every law");
+    Catalog catalog;
+    sdf::add_built_in(catalog);
+    CHECK(Catch::Detail::stringify(check(*catalog.find("circle"), 1)) == "circle obeys every law");
 
     const Report report = check<sdf::faulty::OverEstimate>(0);
     REQUIRE_FALSE(report);

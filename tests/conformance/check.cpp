@@ -47,7 +47,7 @@ std::string text(const Report& report) {
 
 std::ostream& operator<<(std::ostream& out, const Report& report) { return out << text(report); }
 
-Report check(const Catalogue& catalogue, const NodeType& type, int random_sets) {
+Report check(const Catalog& catalog, const NodeType& type, int random_sets) {
     Report report{std::string(type.key()), {}};
     CounterRng rng(2024);
     std::vector<Values> sets{defaults_of(type)};
@@ -60,13 +60,13 @@ Report check(const Catalogue& catalogue, const NodeType& type, int random_sets) 
     for (Values& values : degenerate_values(type)) sets.push_back(std::move(values));
     std::uint64_t seed = 1;
     for (const Values& values : sets)
-        for (const Subject& subject : subjects_of(catalogue, type, values))
+        for (const Subject& subject : subjects_of(catalog, type, values))
             for (Violation& violation : check(subject, ++seed)) report.violations.push_back(std::move(violation));
     return report;
 }
 
 Report check(const NodeType& type, int random_sets) {
-    Catalogue built_in;
+    Catalog built_in;
     sdf::add_built_in(built_in);
     return check(built_in, type, random_sets);
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 #include "engine/sdf/own_node.h"
 
 namespace pinfield::conformance {
@@ -32,13 +32,13 @@ struct Report {
 std::string text(const Report& report);
 std::ostream& operator<<(std::ostream& out, const Report& report);
 
-/// A node type with default, random and degenerate parameters, the same ones in every run. `catalogue` provides circle, box,
+/// A node type with default, random and degenerate parameters, the same ones in every run. `catalog` provides circle, box,
 /// intersection and complement as children of operations; the type need not be in it.
-Report check(const Catalogue& catalogue, const NodeType& type, int random_sets);
-/// The same over the built-in catalogue.
+Report check(const Catalog& catalog, const NodeType& type, int random_sets);
+/// The same over the built-in catalog.
 Report check(const NodeType& type, int random_sets);
 
-/// Node template N: what sdf_node_type<N>() gives a program's own catalogue.
+/// Node template N: what sdf_node_type<N>() gives a program's own catalog.
 template <template <class> class N>
 Report check(int random_sets = 40) {
     return check(sdf::sdf_node_type<N>(), random_sets);

@@ -18,14 +18,14 @@ std::string folder() { return test::source_dir() + "/scenes/nodes/"; }
 }  // namespace
 
 TEST_CASE("every node has an example scene that uses it, reads without complaint and compiles") {
-    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
+    const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
     std::set<std::string> expected;
-    for (const NodeType& type : catalogue->types()) {
+    for (const NodeType& type : catalog->types()) {
         if (type.meta.kind == NodeKind::record) continue;
         const std::string path = folder() + std::string(type.key()) + ".yaml";
         expected.insert(std::string(type.key()) + ".yaml");
         INFO(path);
-        const Result<LoadedTable> loaded = load_table(path, catalogue);
+        const Result<LoadedTable> loaded = load_table(path, catalog);
         REQUIRE(loaded.has_value());
         for (const Diagnostic& diagnostic : loaded->diagnostics) FAIL_CHECK(format(diagnostic, *loaded->source));
         bool used = false;

@@ -19,14 +19,14 @@ Report checked() {
 
 /// Faults that sit in the kernels, not in a formula: the engine's disc, tampered with.
 Report checked_disc(void (*tamper)(sdf::Kernels&)) {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
-    NodeType disc = *catalogue.find("circle");
+    Catalog catalog;
+    sdf::add_built_in(catalog);
+    NodeType disc = *catalog.find("circle");
     disc.meta.key = "tampered_disc";
     sdf::Kernels tampered = *disc.kernels;
     tamper(tampered);
     disc.kernels = &tampered;
-    return check(catalogue, catalogue.add(disc), 1);
+    return check(catalog, catalog.add(disc), 1);
 }
 
 sdf::PacketDistance sound_packets = nullptr;

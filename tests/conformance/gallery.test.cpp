@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "engine/core/at.h"
 #include "engine/io/load_table.h"
 #include "engine/physics/scatter.h"
 #include "engine/physics/simulation.h"
@@ -31,8 +32,8 @@ struct Gallery {
 };
 
 Gallery open_gallery() {
-    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
-    const Result<LoadedTable> table = load_table(test::source_dir() + "/scenes/tables/gallery.yaml", catalogue);
+    const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
+    const Result<LoadedTable> table = load_table(test::source_dir() + "/scenes/tables/gallery.yaml", catalog);
     REQUIRE(table.has_value());
     for (const Diagnostic& diagnostic : table->diagnostics) FAIL_CHECK(format(diagnostic, *table->source));
     const auto program = compile(table->scene);
@@ -46,7 +47,7 @@ TEST_CASE("the gallery shows every shape and every operation") {
     const Gallery gallery = open_gallery();
     std::set<std::string_view> shown;
     for (const NodeId id : gallery.scene.all()) shown.insert(gallery.scene.find(id)->type->key());
-    for (const NodeType& type : gallery.scene.catalogue().types()) {
+    for (const NodeType& type : gallery.scene.catalog().types()) {
         INFO(type.key());
         if (type.meta.kind == NodeKind::shape || type.meta.kind == NodeKind::operation) CHECK(shown.count(type.key()) == 1);
     }
@@ -67,7 +68,7 @@ TEST_CASE("between any two exhibits of the gallery there is room for a ball, and
         for (double x = 0; x < gallery.program->size.x(); x += step) {
             double first = infinity, second = infinity;
             for (const int solid : hung) {
-                const Solid& s = field.solids[static_cast<std::size_t>(solid)];
+                const Solid& s = at(field.solids, solid);
                 if (!s.is_domain && s.bounds.distance({x, y}) > 2 * ball) continue;
                 const double d = nearest_of_solid(field, solid, {x, y}).distance;
                 second = std::min(second, std::max(first, d));
@@ -97,7 +98,7 @@ TEST_CASE("twenty balls that walk the gallery pass through no exhibit") {
         REQUIRE(summary.audit);
         CHECK(summary.audit->crossings == 0);
         CHECK(summary.audit->worst_depth < 1e-6);
-        CHECK(summary.events[static_cast<std::size_t>(EventKind::hit)] > 100);
+        CHECK(at(summary.events, EventKind::hit) > 100);
     }
 }
 

@@ -8,3 +8,4 @@ endforeach()
 target_link_libraries(pinfield_conformance
     PUBLIC pinfield_options pinfield_core pinfield_reflect pinfield_sdf
     PRIVATE pinfield_warnings)
+pinfield_precompiled(pinfield_conformance engine)

@@ -23,7 +23,7 @@ const Fields as_written{{"at", Vec2(0.3, -0.2)}, {"turn", degrees(arc_tangent(0.
 
 Likenesses likenesses_of(const NodeType& type, const Values& values) {
     Likenesses out;
-    Scene scene(test::catalogue());
+    Scene scene(test::catalog());
     const auto shape = [&](NodeId parent) { return add_with(scene, type, values, parent); };
     const auto over = [&](std::string_view operation, int children, NodeId parent = {}, const Fields& fields = {}) {
         const NodeId id = test::add(scene, operation, parent, fields);
@@ -96,7 +96,7 @@ void check_likenesses(const NodeType& type, const Values& values) {
 }  // namespace
 
 TEST_CASE("a shape moved, complemented twice, united with itself or rounded in two steps is that shape, and without itself it is nothing") {
-    for (const NodeType& type : test::catalogue()->types()) {
+    for (const NodeType& type : test::catalog()->types()) {
         if (type.meta.kind != NodeKind::shape) continue;
         for (const Values& values : some_values(type, 2)) check_likenesses(type, values);
     }

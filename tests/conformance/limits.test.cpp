@@ -47,21 +47,21 @@ Limit as_of_lengths(const FieldType& field, const Limit& limit) {
 void check_limit(const FieldType& field, const Limit& written, double inwards) {
     const Limit limit = as_of_lengths(field, written);
     if (!std::isfinite(limit.value)) return;
-    for (const Value& value : with_number(field, std::nextafter(limit.value, -inwards))) CHECK(refuse(field, value));
-    for (const Value& value : with_number(field, limit.value)) CHECK(refuse(field, value).has_value() == limit.open);
-    for (const Value& value : with_number(field, std::nextafter(limit.value, inwards))) CHECK_FALSE(refuse(field, value));
+    for (const Value& value : with_number(field, std::nextafter(limit.value, -inwards))) CHECK(why_invalid(field, value));
+    for (const Value& value : with_number(field, limit.value)) CHECK(why_invalid(field, value).has_value() == limit.open);
+    for (const Value& value : with_number(field, std::nextafter(limit.value, inwards))) CHECK_FALSE(why_invalid(field, value));
 }
 
 }  // namespace
 
 TEST_CASE("every field of every node refuses what is no finite number, and each limit parts neighbouring doubles") {
-    const Catalogue catalogue = built_in_catalogue();
+    const Catalog catalog = built_in_catalog();
     int limits = 0;
-    for (const NodeType& type : catalogue.types())
+    for (const NodeType& type : catalog.types())
         for (const FieldType& field : type.fields) {
             INFO(type.key() << "." << field.key);
             for (const double v : {not_a_number, infinity, -infinity})
-                for (const Value& value : with_number(field, v)) CHECK(refuse(field, value));
+                for (const Value& value : with_number(field, v)) CHECK(why_invalid(field, value));
             if (field.meta.min.value == field.meta.max.value) continue;
             check_limit(field, field.meta.min, infinity);
             check_limit(field, field.meta.max, -infinity);
@@ -71,9 +71,9 @@ TEST_CASE("every field of every node refuses what is no finite number, and each 
 }
 
 TEST_CASE("a field that is of use only with a choice changes distances with it, and none without") {
-    const Catalogue catalogue = built_in_catalogue();
+    const Catalog catalog = built_in_catalog();
     int fields = 0;
-    for (const NodeType& type : catalogue.types())
+    for (const NodeType& type : catalog.types())
         for (std::size_t i = 0; type.kernels && i < static_cast<std::size_t>(type.own_fields); ++i) {
             const OnlyWith& with = type.fields[i].meta.only_with;
             if (with.field.empty()) continue;
@@ -84,9 +84,9 @@ TEST_CASE("a field that is of use only with a choice changes distances with it, 
             for (const std::string_view choice : type.fields[at].choices) {
                 Values values = defaults_of(type);
                 values[at] = std::string(choice);
-                const Subject one = subjects_of(catalogue, type, values).front();
+                const Subject one = subjects_of(catalog, type, values).front();
                 values[i] = std::get<std::int64_t>(values[i]) + 1;
-                const Subject other = subjects_of(catalogue, type, values).front();
+                const Subject other = subjects_of(catalog, type, values).front();
                 CounterRng rng(12);
                 bool differ = false;
                 for (int k = 0; k < 2000; ++k) {

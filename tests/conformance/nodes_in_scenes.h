@@ -9,7 +9,7 @@ inline NodeId add_with(Scene& scene, const NodeType& type, const Values& values,
     Node& node = scene.add(type, parent);
     for (std::size_t i = 0; i < values.size(); ++i) {
         node.fields[i].value = values[i];
-        node.fields[i].given = true;
+        node.fields[i].is_explicit = true;
     }
     return node.id;
 }

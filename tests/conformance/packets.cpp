@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 
 namespace pinfield::conformance {
@@ -37,7 +38,7 @@ Floats packet_input(const Trial& trial) {
 
 std::vector<float> run(const Subject& subject, sdf::Isa isa, const std::vector<float>& a, const std::vector<float>& b) {
     if (isa > sdf::best_isa()) return {};
-    const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
+    const sdf::PacketKernels& k = at(subject.kernels().packets, isa);
     std::vector<float> out = a;
     const int n = static_cast<int>(a.size());
     if (k.distance) k.distance(subject.params(), {}, a.data(), b.data(), out.data(), n);
@@ -56,7 +57,7 @@ double in_double(const Subject& subject, double a, double b) {
 }
 
 Floats3 warp(const Subject& subject, sdf::Isa isa, const Floats& points) {
-    const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
+    const sdf::PacketKernels& k = at(subject.kernels().packets, isa);
     if (isa > sdf::best_isa() || !k.warp) return {};
     Floats3 out{points.a, points.b, std::vector<float>(points.a.size())};
     k.warp(subject.params(), out.x.data(), out.y.data(), out.lift.data(), static_cast<int>(out.x.size()));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/at.h"
+
 namespace pinfield::conformance {
 namespace {
 
@@ -47,12 +49,12 @@ Value random_value(const FieldType& field, CounterRng& rng) {
         case FieldKind::points: return random_ring(rng);
         case FieldKind::choice: {
             const auto n = static_cast<double>(field.choices.size());
-            return std::string(field.choices[static_cast<std::size_t>(rng.in(0, n))]);
+            return std::string(at(field.choices, rng.in(0, n)));
         }
         case FieldKind::choices: {
             std::vector<std::string> out(static_cast<std::size_t>(rng.in(1, 5)));
             for (std::string& word : out)
-                word = field.choices[static_cast<std::size_t>(rng.in(0, static_cast<double>(field.choices.size())))];
+                word = at(field.choices, rng.in(0, static_cast<double>(field.choices.size())));
             return out;
         }
         default: return field.initial;
@@ -125,9 +127,9 @@ std::vector<Values> without_lengths(const NodeType& type) {
     return out;
 }
 
-Subject child(const Catalogue& catalogue, std::string_view key, Values values, const Similarity& at,
+Subject child(const Catalog& catalog, std::string_view key, Values values, const Similarity& at,
               std::vector<Subject> below = {}) {
-    return {*catalogue.find(key), std::move(values), std::move(below), at};
+    return {*catalog.find(key), std::move(values), std::move(below), at};
 }
 
 Similarity placed(double x, double y, double cosine = 1, double sine = 0) { return {cosine, sine, 1, false, {x, y}}; }
@@ -171,16 +173,16 @@ std::vector<Values> degenerate_values(const NodeType& type) {
     return out;
 }
 
-std::vector<Subject> subjects_of(const Catalogue& catalogue, const NodeType& type, const Values& values) {
+std::vector<Subject> subjects_of(const Catalog& catalog, const NodeType& type, const Values& values) {
     if (type.kernels->form == sdf::Form::shape) return {Subject(type, values)};
-    const auto disc = [&](double r, const Similarity& at) { return child(catalogue, "circle", {r}, at); };
-    const auto box = [&](double w, double h, const Similarity& at) { return child(catalogue, "box", {Vec2(w, h), 0.0}, at); };
+    const auto disc = [&](double r, const Similarity& at) { return child(catalog, "circle", {r}, at); };
+    const auto box = [&](double w, double h, const Similarity& at) { return child(catalog, "box", {Vec2(w, h), 0.0}, at); };
     std::vector<Subject> out;
     if (type.meta.children.max == 1) {
         const double size = size_in_cells(type, values, 0.12), large = size_in_cells(type, values, 0.06);
         out.emplace_back(type, values, std::vector{disc(0.03, scaled(size, placed(0.05, 0.01)))});
         out.emplace_back(type, values, std::vector{box(0.05, 0.02, scaled(size, placed(0.02, 0.01, 0.6, 0.8)))});
-        out.emplace_back(type, values, std::vector{child(catalogue, "intersection", {}, scaled(large, placed(0.03, 0)),
+        out.emplace_back(type, values, std::vector{child(catalog, "intersection", {}, scaled(large, placed(0.03, 0)),
                                                          {disc(0.04, placed(-0.02, 0)), box(0.05, 0.05, placed(0.02, 0.03))})});
         return out;
     }
@@ -189,9 +191,9 @@ std::vector<Subject> subjects_of(const Catalogue& catalogue, const NodeType& typ
                                                box(0.02, 0.07, placed(-0.01, 0.01, 0.8, 0.6))});
     out.emplace_back(type, values, std::vector{box(0.06, 0.04, placed(0, 0)), box(0.06, 0.04, placed(0, 0))});
     out.emplace_back(type, values, std::vector{disc(0.02, placed(0, 0))});
-    out.emplace_back(type, values, std::vector{child(catalogue, "complement", {}, placed(0, 0), {disc(0.05, placed(0, 0))}),
+    out.emplace_back(type, values, std::vector{child(catalog, "complement", {}, placed(0, 0), {disc(0.05, placed(0, 0))}),
                                                disc(0.02, placed(0.04, 0))});
-    out.emplace_back(type, values, std::vector{child(catalogue, "intersection", {}, placed(0, 0, 0.8, 0.6),
+    out.emplace_back(type, values, std::vector{child(catalog, "intersection", {}, placed(0, 0, 0.8, 0.6),
                                                      {box(0.1, 0.02, placed(0, 0)), box(0.1, 0.02, placed(0, 0.01, 0.96, 0.28))}),
                                                disc(0.02, placed(0, 0.02))});
     return out;

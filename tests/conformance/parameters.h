@@ -17,6 +17,6 @@ Values random_values(const NodeType& type, CounterRng& rng);
 std::vector<Values> degenerate_values(const NodeType& type);
 
 /// Subjects of a type with these values: a shape by itself, an operation over several sets of children.
-std::vector<Subject> subjects_of(const Catalogue& catalogue, const NodeType& type, const Values& values);
+std::vector<Subject> subjects_of(const Catalog& catalog, const NodeType& type, const Values& values);
 
 }  // namespace pinfield::conformance

@@ -1,4 +1,4 @@
-// Nodes as they are published, each without the contract or the branch that it needs: the known faults of the catalogue's table 1 and of
+// Nodes as they are published, each without the contract or the branch that it needs: the known faults of the catalog's table 1 and of
 // its section on operators, written down from the mathematics. For tests of the laws only; the engine's own nodes are in engine/sdf.
 #pragma once
 #include <span>

@@ -1,10 +1,11 @@
-// Balls shot at every node of the catalogue: none enters it, none gains energy, and each stops where a polygon of the outline stops it.
+// Balls shot at every node of the catalog: none enters it, none gains energy, and each stops where a polygon of the outline stops it.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/physics/audit.h"
 #include "engine/physics/sweep_field.h"
@@ -35,14 +36,14 @@ double child_radius(const NodeType& type, const Values& values) {
 
 Range range_of(const NodeType& type, const Values& values) {
     Range out;
-    Scene scene(test::catalogue());
+    Scene scene(test::catalog());
     const NodeId target = add_with(scene, type, values);
     const double apart = 0.03;
     for (int i = 0; i < type.meta.children.min; ++i)
         test::add(scene, "circle", target, {{"radius", child_radius(type, values)}, {"at", Vec2(apart * (1 - i), 0.01)}});
     const NodeId air = test::add(scene, "domain");
     const Subject alone(type, values, std::vector<Subject>(static_cast<std::size_t>(type.meta.children.min),
-                                                           Subject(*test::catalogue()->find("circle"), {0.06})));
+                                                           Subject(*test::catalog()->find("circle"), {0.06})));
     out.extent = alone.bounds().is_finite() ? alone.extent() : 0.1;
     test::add(scene, "box", air, {{"size", Vec2(2 * out.extent + 0.2, 2 * out.extent + 0.2)}});
     test::set(scene.table(), "slope", 0.0);
@@ -122,7 +123,7 @@ void check_against_polygon(const NodeType& type, const Values& values) {
         INFO("from (" << shot.from.x() << ", " << shot.from.y() << ") at (" << shot.velocity.x() << ", " << shot.velocity.y() << ")");
         const double passed = distance_between(shot.from, path.at(until), outline) - r;
         if (!(passed > -error - 1e-9)) FAIL_CHECK("overlaps by " << -passed << ", the polygon is true within " << error);
-        if (found.hit.solid >= 0 && !range.program->fixed.solids[static_cast<std::size_t>(found.hit.solid)].is_domain &&
+        if (found.hit.solid >= 0 && !at(range.program->fixed.solids, found.hit.solid).is_domain &&
             !(passed < error + band.tolerance + 1e-9))
             FAIL_CHECK("stopped by what is " << passed << " away");
     }
@@ -191,7 +192,7 @@ std::optional<double> missed_start(const Range& range, const Shot& shot) {
 // It is stopped within the contact tolerance, and not in the same place both ways; a glancing hit or a bend magnifies that.
 TEST_CASE("an elastic ball turned round after its hit goes back the way it came, whatever it hit") {
     int tried = 0;
-    for (const NodeType& type : test::catalogue()->types()) {
+    for (const NodeType& type : test::catalog()->types()) {
         if (type.meta.kind != NodeKind::shape && type.meta.kind != NodeKind::operation) continue;
         INFO(type.key());
         for (const Values& values : some_values(type, 1)) {
@@ -211,7 +212,7 @@ TEST_CASE("an elastic ball turned round after its hit goes back the way it came,
 }
 
 TEST_CASE("a ball shot at any shape stops where it touches a polygon of the outline, and not before") {
-    for (const NodeType& type : test::catalogue()->types()) {
+    for (const NodeType& type : test::catalog()->types()) {
         if (type.meta.kind != NodeKind::shape) continue;
         for (const Values& values : some_values(type, 3)) {
             INFO(Subject(type, values).text());
@@ -221,7 +222,7 @@ TEST_CASE("a ball shot at any shape stops where it touches a polygon of the outl
 }
 
 TEST_CASE("no ball shot at any node enters it or gains energy from it, elastic or not") {
-    for (const NodeType& type : test::catalogue()->types()) {
+    for (const NodeType& type : test::catalog()->types()) {
         if (type.meta.kind != NodeKind::shape && type.meta.kind != NodeKind::operation) continue;
         INFO(type.key());
         for (const Values& values : some_values(type, 1))

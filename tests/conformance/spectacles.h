@@ -1,4 +1,4 @@
-// A shape the engine has never heard of, for the tests that add one of their own to the catalogue.
+// A shape the engine has never heard of, for the tests that add one of their own to the catalog.
 #pragma once
 #include <memory>
 
@@ -34,11 +34,11 @@ struct Spectacles {
 
 namespace pinfield::test {
 
-/// The built-in catalogue and spectacles.
-inline std::shared_ptr<const Catalogue> catalogue_with_spectacles() {
-    auto catalogue = std::make_shared<Catalogue>(built_in_catalogue());
-    add_scene_type(*catalogue, sdf::sdf_node_type<sdf::Spectacles>());
-    return catalogue;
+/// The built-in catalog and spectacles.
+inline std::shared_ptr<const Catalog> catalog_with_spectacles() {
+    auto catalog = std::make_shared<Catalog>(built_in_catalog());
+    add_scene_type(*catalog, sdf::sdf_node_type<sdf::Spectacles>());
+    return catalog;
 }
 
 inline constexpr const char* spectacles_table =

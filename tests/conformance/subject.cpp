@@ -35,7 +35,7 @@ Subject::Subject(const NodeType& type, std::vector<Value> values, std::vector<Su
 
 bool Subject::accepted(const NodeType& type, const std::vector<Value>& values) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(type.own_fields); ++i)
-        if (refuse(type.fields[i], values[i])) return false;
+        if (why_invalid(type.fields[i], values[i])) return false;
     const std::vector<double> block = pack(type, values, type.kernels->derived_count);
     return !broken_contract(type, block.data());
 }

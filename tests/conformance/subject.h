@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/core/geometry.h"
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 #include "engine/sdf/kernels.h"
 
 namespace pinfield::conformance {

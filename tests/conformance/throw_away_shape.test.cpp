@@ -1,6 +1,8 @@
+#include <array>
 #include <catch2/catch.hpp>
 #include <memory>
 
+#include "engine/core/at.h"
 #include "engine/io/json_schema.h"
 #include "engine/io/node_reference.h"
 #include "engine/io/table_reader.h"
@@ -22,11 +24,11 @@ TEST_CASE("a shape that a program adds of its own goes through every law") {
 
 namespace {
 
-using test::catalogue_with_spectacles;
+using test::catalog_with_spectacles;
 
 struct Loaded {
     std::shared_ptr<const SourceText> source = std::make_shared<SourceText>("spectacles.yaml", test::spectacles_table);
-    ReadResult read = read_table(source, catalogue_with_spectacles());
+    ReadResult read = read_table(source, catalog_with_spectacles());
 };
 
 }  // namespace
@@ -40,12 +42,12 @@ TEST_CASE("a shape that a program adds of its own is read, refused, written, des
     CHECK(node->get<double>("gap") == 0.014);
 
     const auto wrong = std::make_shared<SourceText>("wrong.yaml", "pinfield: 1\nscene:\n  - spectacles: {radius: 0, gpa: 1}\n");
-    CHECK(read_table(wrong, catalogue_with_spectacles()).diagnostics.size() == 2);
+    CHECK(read_table(wrong, catalog_with_spectacles()).diagnostics.size() == 2);
 
     const auto again = std::make_shared<SourceText>("again.yaml", write_table(scene));
-    CHECK(read_table(again, catalogue_with_spectacles()).scene.same_content(scene));
-    CHECK(json_schema(scene.catalogue()).find("\"spectacles\"") != std::string::npos);
-    CHECK(reference_json(referenced_types(scene.catalogue(), "spectacles")).find("Of each disc.") != std::string::npos);
+    CHECK(read_table(again, catalog_with_spectacles()).scene.same_content(scene));
+    CHECK(json_schema(scene.catalog()).find("\"spectacles\"") != std::string::npos);
+    CHECK(reference_json(referenced_types(scene.catalog(), "spectacles")).find("Of each disc.") != std::string::npos);
 
     const Edit edit{node->id, *node->type->find_field("gap"), 0.016, true};
     const auto patch = patch_for(*loaded.source, scene, edit);
@@ -66,11 +68,11 @@ TEST_CASE("a shape that a program adds of its own is drawn, patched live and col
 
     Raster raster{64, 64, {{0, 0}, {0.2, 0.2}}, {}, {}};
     rasterize((*program)->fixed, ground_layer, sdf::best_isa(), raster);
-    const auto at = [&](double x, double y) {
-        return raster.distance[static_cast<std::size_t>(64 * static_cast<int>(64 * (1 - y / 0.2)) + static_cast<int>(64 * x / 0.2))];
+    const auto distance = [&](double x, double y) {
+        return at(raster.distance, 64 * static_cast<int>(64 * (1 - y / 0.2)) + static_cast<int>(64 * x / 0.2));
     };
-    CHECK(at(0.125, 0.1) < -0.015f);
-    CHECK(at(0.101, 0.1) > 0.0f);
+    CHECK(distance(0.125, 0.1) < -0.015f);
+    CHECK(distance(0.101, 0.1) > 0.0f);
 
     World world(*program);
     const BallId ball = world.add_ball({0.125, 0.17}, {0, -2});
@@ -85,7 +87,7 @@ TEST_CASE("a shape that a program adds of its own is drawn, patched live and col
     const NodeId nose = scene.find("nose")->id;
     const int gap = *scene.find(nose)->type->find_field("gap");
     apply(scene, Edit{nose, gap, 0.05, true});
-    const ProgramPtr patched = patch(**program, scene, nose, gap);
+    const ProgramPtr patched = patch(**program, scene, std::array{FieldChange{nose, gap}});
     REQUIRE(patched);
     CHECK(nearest(patched->fixed, {0.1, 0.1}).distance == Approx(0.025));
 }

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/core/at.h"
+
 #include "engine/core/diagnostic.h"
 
 using namespace pinfield;
@@ -40,7 +42,7 @@ TEST_CASE("the caret stands under the character that is meant, in long lines and
         const std::string text = line.substr(0, bytes);
         for (const int character : {0, 1, length / 3, length / 2, length - 2, length - 1}) {
             if (character < 0 || character >= length) continue;
-            const std::size_t begin = starts[static_cast<std::size_t>(character)];
+            const std::size_t begin = at(starts, character);
             const std::size_t end = character + 1 < length ? starts[static_cast<std::size_t>(character) + 1] : text.size();
             const std::string message = shown(text, begin);
             INFO(length << " characters, the one at " << character << ":\n" << message);

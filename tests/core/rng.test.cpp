@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "engine/core/at.h"
+
 using namespace pinfield;
 
 TEST_CASE("equal seeds and streams give equal numbers, others do not") {
@@ -41,7 +43,7 @@ TEST_CASE("uniform numbers fill the unit interval evenly, also across streams") 
         for (int i = 0; i < count; ++i) {
             const double u = across ? CounterRng(3, static_cast<std::uint64_t>(i)).uniform() : rng.uniform();
             REQUIRE((u >= 0 && u < 1));
-            ++histogram[static_cast<std::size_t>(u * bins)];
+            ++at(histogram, u * bins);
         }
         double chi_squared = 0;
         for (const int n : histogram) chi_squared += std::pow(n - count / bins, 2) / (count / bins);

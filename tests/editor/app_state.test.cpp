@@ -80,7 +80,7 @@ TEST_CASE("unsaved work is asked about before it would be lost") {
 
 TEST_CASE("saving a table without a file asks for its path, and then goes on with what was asked") {
     const Folder folder;
-    AppState state(catalogue(), Document::untitled(catalogue()));
+    AppState state(catalog(), Document::untitled(catalog()));
     REQUIRE(edit(state, change(state.document, "pop", "kick", 1.0), "Kick harder"));
     run(state, "app.quit");
     run(state, "prompt.save");

@@ -55,7 +55,7 @@ TEST_CASE("undoing everything restores every byte, and doing it again every byte
     CHECK(document.scene().find("bang")->get<double>("threshold") == 0.1);
     // What the scene holds is what the text says.
     REQUIRE(document.save());
-    CHECK(document.scene().same_content(Document::open(document.path(), catalogue())->scene()));
+    CHECK(document.scene().same_content(Document::open(document.path(), catalog())->scene()));
 }
 
 TEST_CASE("nodes keep their ids when they are renamed, and back again") {
@@ -245,7 +245,7 @@ TEST_CASE("a file with errors opens and says what is wrong") {
 }
 
 TEST_CASE("a new table is whole and clean, and has no file to save to") {
-    Document document = Document::untitled(catalogue());
+    Document document = Document::untitled(catalog());
     CHECK(document.diagnostics().empty());
     CHECK_FALSE(document.dirty());
     CHECK_FALSE(document.save());
@@ -254,4 +254,4 @@ TEST_CASE("a new table is whole and clean, and has no file to save to") {
     CHECK(folder.read("new.yaml") == document.source().text());
 }
 
-TEST_CASE("a file that is not there does not open") { CHECK_FALSE(Document::open("/nowhere/table.yaml", catalogue())); }
+TEST_CASE("a file that is not there does not open") { CHECK_FALSE(Document::open("/nowhere/table.yaml", catalog())); }

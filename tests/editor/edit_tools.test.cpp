@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "tests/editor/support.h"
 #include "tests/places.h"
@@ -32,7 +33,7 @@ std::vector<std::string> example_tables() {
 }
 
 const Value& value_at(const Document& document, NodeId id, int field) {
-    return document.scene().find(id)->fields[static_cast<std::size_t>(field)].value;
+    return at(document.scene().find(id)->fields, field).value;
 }
 
 void scrub_all_fields(Document& document, NodeId id, CounterRng& rng) {
@@ -46,7 +47,7 @@ void scrub_all_fields(Document& document, NodeId id, CounterRng& rng) {
             bool valid = true;
             for (int move = 0; move < 9; ++move) {
                 scrub.update(document, std::floor(rng.in(-1, 1) * (move < 4 ? 20 : 1e5)), move % 3 == 0, move % 3 == 1);
-                valid = valid && !refuse(document.scene(), Edit{id, field, value_at(document, id, field), true});
+                valid = valid && !why_invalid(document.scene(), Edit{id, field, value_at(document, id, field), true});
             }
             CHECK(valid);
             scrub.update(document, 0);
@@ -142,7 +143,7 @@ TEST_CASE("a scrub never leaves the valid range, whatever the node and however f
     CounterRng rng(7);
     for (const std::string& path : example_tables()) {
         INFO(path);
-        Document document = *Document::open(path, catalogue());
+        Document document = *Document::open(path, catalog());
         REQUIRE_FALSE(has_errors(document.diagnostics()));
         const std::string text = document.source().text();
         for (const NodeId id : document.scene().all()) scrub_all_fields(document, id, rng);

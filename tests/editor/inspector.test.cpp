@@ -20,7 +20,7 @@ const ImVec2 panel_size{340, 900};  // room for every row of any node
 /// An inspector alone on a screen of its own size.
 class Inspector {
 public:
-    Inspector(std::shared_ptr<const Catalogue> known, const std::string& table)
+    Inspector(std::shared_ptr<const Catalog> known, const std::string& table)
         : state_(known, *Document::open(folder_.write("table.yaml", table), known)) {
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
@@ -77,7 +77,7 @@ private:
 }  // namespace
 
 TEST_CASE("a shape that a program adds of its own has its fields in the inspector, where they can be dragged") {
-    Inspector inspector(pinfield::test::catalogue_with_spectacles(), pinfield::test::spectacles_table);
+    Inspector inspector(pinfield::test::catalog_with_spectacles(), pinfield::test::spectacles_table);
     inspector.select("nose");
     inspector.frame();
     INFO(inspector.all());
@@ -98,7 +98,7 @@ TEST_CASE("a shape that a program adds of its own has its fields in the inspecto
 }
 
 TEST_CASE("badges tell per side whether a node's distance is exact or a bound, how fast it changes, and whether its boundary is known") {
-    Inspector inspector(catalogue(), R"(pinfield: 1
+    Inspector inspector(catalog(), R"(pinfield: 1
 scene:
   - union: {id: both, children: [circle: {id: disc, radius: 20mm}, box: {at: [0.02, 0]}]}
   - intersection: {id: wedge, children: [half_plane: {}, half_plane: {turn: 90}]}
@@ -138,13 +138,13 @@ scene:
 
 TEST_CASE("the inspector has a row for every field of every kind of node") {
     std::string table = "pinfield: 1\nscene:\n";
-    for (const NodeType& type : catalogue()->types())
+    for (const NodeType& type : catalog()->types())
         if (type.meta.kind == NodeKind::shape &&
             !std::any_of(type.fields.begin(), type.fields.end(), [](const FieldType& f) { return f.meta.required; }))
             table += "  - " + std::string(type.key()) + ": {id: the_" + std::string(type.key()) + "}\n";
-    Inspector inspector(catalogue(), table);
+    Inspector inspector(catalog(), table);
     int tried = 0;
-    for (const NodeType& type : catalogue()->types()) {
+    for (const NodeType& type : catalog()->types()) {
         inspector.select("the_" + std::string(type.key()));
         if (!inspector.state().selection) continue;
         inspector.frame();

@@ -13,8 +13,8 @@
 
 namespace pinfield::editor::test {
 
-inline std::shared_ptr<const Catalogue> catalogue() {
-    static const auto shared = std::make_shared<const Catalogue>(built_in_catalogue());
+inline std::shared_ptr<const Catalog> catalog() {
+    static const auto shared = std::make_shared<const Catalog>(built_in_catalog());
     return shared;
 }
 
@@ -68,9 +68,9 @@ inputs: {left: [Z, LeftShift]}
 )";
 
 inline Document opened(const Folder& folder, const std::string& text = pen) {
-    return *Document::open(folder.write("table.yaml", text), catalogue());
+    return *Document::open(folder.write("table.yaml", text), catalog());
 }
-inline AppState opened_state(const Folder& folder, const std::string& text = pen) { return {catalogue(), opened(folder, text)}; }
+inline AppState opened_state(const Folder& folder, const std::string& text = pen) { return {catalog(), opened(folder, text)}; }
 
 inline NodeId id_of(const Document& document, std::string_view path) {
     const Node* node = document.scene().find(path);

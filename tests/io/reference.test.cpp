@@ -1,4 +1,4 @@
-// The node reference and the JSON Schema say what the catalogue says.
+// The node reference and the JSON Schema say what the catalog says.
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@ using namespace pinfield::test;
 using Json = nlohmann::json;
 
 TEST_CASE("the node reference as JSON has every node with the keys that programs rely on") {
-    const auto types = referenced_types(*catalogue());
+    const auto types = referenced_types(*catalog());
     const Json all = Json::parse(reference_json(types));
     REQUIRE(all.is_array());
     REQUIRE(all.size() == types.size());
@@ -29,17 +29,17 @@ TEST_CASE("the node reference as JSON has every node with the keys that programs
             CHECK(field.size() == 7);
         }
     }
-    const Json circle = Json::parse(reference_json(referenced_types(*catalogue(), "circle")));
+    const Json circle = Json::parse(reference_json(referenced_types(*catalog(), "circle")));
     CHECK(
         circle[0]["fields"][0] ==
         Json::parse(
             R"({"key": "radius", "type": "number", "unit": "m", "default": 0.05, "min": 0.0, "min_open": true, "doc": "From the centre to the rim."})"));
-    CHECK(referenced_types(*catalogue(), "nosuch").empty());
-    CHECK(referenced_types(*catalogue(), "physics").size() == 1);
+    CHECK(referenced_types(*catalog(), "nosuch").empty());
+    CHECK(referenced_types(*catalog(), "physics").size() == 1);
 }
 
 TEST_CASE("text and Markdown name every node and field") {
-    const auto types = referenced_types(*catalogue());
+    const auto types = referenced_types(*catalog());
     const std::string text = reference_text(types), markdown = reference_markdown(types);
     for (const NodeType* type : types) {
         CHECK(markdown.find("## " + std::string(type->key()) + "\n") != std::string::npos);
@@ -51,9 +51,9 @@ TEST_CASE("text and Markdown name every node and field") {
 }
 
 TEST_CASE("the schema describes every node, field and section") {
-    const Json schema = Json::parse(json_schema(*catalogue()));
+    const Json schema = Json::parse(json_schema(*catalog()));
     CHECK(schema["$schema"] == "http://json-schema.org/draft-07/schema#");
-    for (const NodeType& type : catalogue()->types()) {
+    for (const NodeType& type : catalog()->types()) {
         const Json& node = schema["definitions"][std::string(type.key())];
         CHECK(node["additionalProperties"] == false);
         for (const FieldType& field : type.fields) CHECK(node["properties"].contains(std::string(field.key)));

@@ -17,7 +17,7 @@ materials:
   rubber: {restitution: 0.80, color: crimson,}   # trailing comma
   goo:
     restitution: .5
-    color: "#7c5"  # a colour, and # a hash
+    color: "#7c5"  # a color, and # a hash
   bare:
   mixed: {
     restitution: 0.9,   # one entry a line
@@ -161,11 +161,11 @@ std::optional<Edit> some_edit(const Scene& scene, CounterRng& rng) {
         const FieldSlot& slot = node.fields[index];
         // What refers to other things of the file is not free to be anything.
         const bool is_reference =
-            (field.kind == FieldKind::id && field.key != "id") || field.meta.meaning == Meaning::input;
-        const bool leave_out = slot.given && identical(slot.value, field.initial) && rng.next_u64() % 2;
+            field.meta.meaning == Meaning::material || field.meta.meaning == Meaning::input;
+        const bool leave_out = slot.is_explicit && identical(slot.value, field.initial) && rng.next_u64() % 2;
         Edit edit{node.id, static_cast<int>(index),
                   leave_out || is_reference ? slot.value : another_value(field, slot.value, rng), !leave_out};
-        if (is_reference || refuse(scene, edit)) continue;
+        if (is_reference || why_invalid(scene, edit)) continue;
         return edit;
     }
     return {};

@@ -1,4 +1,4 @@
-// What the tests of engine/io share: the catalogue, tables from text, every scene file, values to try.
+// What the tests of engine/io share: the catalog, tables from text, every scene file, values to try.
 #pragma once
 #include <algorithm>
 #include <filesystem>
@@ -16,13 +16,13 @@
 
 namespace pinfield::test {
 
-inline std::shared_ptr<const Catalogue> catalogue() {
-    static const auto shared = std::make_shared<const Catalogue>(built_in_catalogue());
+inline std::shared_ptr<const Catalog> catalog() {
+    static const auto shared = std::make_shared<const Catalog>(built_in_catalog());
     return shared;
 }
 
 inline ReadResult read(const std::string& text, const Limits& limits = {}) {
-    return read_table(std::make_shared<const SourceText>("test.yaml", text), catalogue(), limits);
+    return read_table(std::make_shared<const SourceText>("test.yaml", text), catalog(), limits);
 }
 
 inline std::string told(const ReadResult& result) {

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "engine/io/load_table.h"
 #include "tests/io/support.h"
 
@@ -30,12 +31,12 @@ TEST_CASE("a small table reads into typed nodes with places") {
     CHECK(scene.table().get<Vec2>("size") == Vec2(0.52, 1.06));
     const Node& pop = *scene.find("pop");
     CHECK(pop.get<double>("radius") == 0.024);
-    const FieldSlot& radius = pop.fields[static_cast<std::size_t>(*pop.type->find_field("radius"))];
-    CHECK(radius.given);
+    const FieldSlot& radius = at(pop.fields, *pop.type->find_field("radius"));
+    CHECK(radius.is_explicit);
     CHECK(result.source->slice(radius.where) == "24mm");
     CHECK(result.source->slice(pop.key) == "bumper");
     CHECK(result.source->slice(pop.where) == "bumper: {id: pop, at: [0.26, 80cm], radius: 24mm, material: rubber}");
-    CHECK_FALSE(pop.fields[static_cast<std::size_t>(*pop.type->find_field("turn"))].given);
+    CHECK_FALSE(at(pop.fields, *pop.type->find_field("turn")).is_explicit);
     CHECK(scene.find("flipper[0]")->get<double>("turn") == Approx(28.6478897565));
     CHECK(scene.find("flipper[0]")->get<std::vector<std::string>>("input") ==
           std::vector<std::string>{"left", "right"});
@@ -146,16 +147,16 @@ TEST_CASE("limits are counted and can be raised") {
 }
 
 TEST_CASE("a file above the limit is refused, one that is not there is a failure") {
-    CHECK_FALSE(load_table("/nonexistent/table.yaml", catalogue()));
-    CHECK_FALSE(load_table("/", catalogue()));
+    CHECK_FALSE(load_table("/nonexistent/table.yaml", catalog()));
+    CHECK_FALSE(load_table("/", catalog()));
 }
 
 TEST_CASE("a type that only this program knows reads like the built-in ones") {
-    Catalogue extended = built_in_catalogue();
+    Catalog extended = built_in_catalog();
     NodeType type = *extended.find("circle");
     type.meta.key = "blob";
     extended.add(type);
-    const auto shared = std::make_shared<const Catalogue>(std::move(extended));
+    const auto shared = std::make_shared<const Catalog>(std::move(extended));
     const auto source =
         std::make_shared<const SourceText>("t", "pinfield: 1\nscene: [blob: {radius: 3cm, at: [1, 2]}]\n");
     const ReadResult result = read_table(source, shared);

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "tests/io/support.h"
 
 using namespace pinfield;
@@ -17,7 +18,7 @@ int field_index(const Node& node, std::string_view key) { return *node.type->fin
 
 /// The text after an edit of one field of the node at a path.
 std::string edited(const std::string& text, std::string_view path, std::string_view key, const Value& value,
-                   bool given = true) {
+                   bool is_explicit = true) {
     const ReadResult before = read(text);
     INFO(told(before));
     REQUIRE(before.ok());
@@ -28,7 +29,7 @@ std::string edited(const std::string& text, std::string_view path, std::string_v
         for (const NodeId id : before.scene.materials())
             if (before.scene.find(id)->name == path) node = before.scene.find(id);
     REQUIRE(node);
-    const auto patch = patch_for(*before.source, before.scene, {node->id, field_index(*node, key), value, given});
+    const auto patch = patch_for(*before.source, before.scene, {node->id, field_index(*node, key), value, is_explicit});
     if (!patch) return "refused: " + patch.error().message;
     const std::string after = patched_by(*patch, text);
     CHECK(patched_by(inverse(*patch, text), after) == text);
@@ -38,8 +39,8 @@ std::string edited(const std::string& text, std::string_view path, std::string_v
 std::string in_scene(const std::string& lines) { return "pinfield: 1\nscene:\n" + lines; }
 
 std::string edited_node(const std::string& lines, std::string_view path, std::string_view key, const Value& value,
-                        bool given = true) {
-    const std::string after = edited(in_scene(lines), path, key, value, given), head = in_scene("");
+                        bool is_explicit = true) {
+    const std::string after = edited(in_scene(lines), path, key, value, is_explicit), head = in_scene("");
     return after.starts_with(head) ? after.substr(head.size()) : after;
 }
 
@@ -198,7 +199,7 @@ TEST_CASE("any field of any node of every good table can be patched, and undoing
                 ++refused;
                 const Node& node = *now.scene.find(edit->node);
                 reasons += now.scene.path(edit->node) + "." +
-                           std::string(node.type->fields[static_cast<std::size_t>(edit->field)].key) + ": " +
+                           std::string(at(node.type->fields, edit->field).key) + ": " +
                            patch.error().message + "\n";
                 continue;
             }

@@ -14,7 +14,7 @@ Scene without_defaults(Scene scene) {
     for (const NodeId id : scene.all()) {
         Node& node = *scene.find(id);
         for (std::size_t i = 0; i < node.fields.size(); ++i)
-            node.fields[i].given =
+            node.fields[i].is_explicit =
                 node.type->fields[i].meta.required || !identical(node.fields[i].value, node.type->fields[i].initial);
     }
     return scene;

@@ -1,4 +1,5 @@
 // Impacts against their closed forms: bouncing, oblique impact, billiards, balls among themselves, rest.
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "tests/physics/support.h"
 
@@ -163,7 +164,7 @@ TEST_CASE("Newton's cradle passes the speed of the first ball to the last") {
     world.add_ball({1, 2}, {2, 0});
     for (int i = 0; i < 4; ++i) world.add_ball({1.5 + i * (2 * r + 1e-7), 2}, {0, 0});
     for (int i = 0; i < 400; ++i) world.step();
-    for (int i = 0; i < 4; ++i) CHECK(length(world.balls()[static_cast<std::size_t>(i)].velocity) < 1e-9);
+    for (int i = 0; i < 4; ++i) CHECK(length(at(world.balls(), i).velocity) < 1e-9);
     CHECK(length(world.balls()[4].velocity - Vec2(2, 0)) < 1e-9);
 }
 

@@ -23,7 +23,7 @@ double time_to(World& world, double q) {
         const double before = world.movers()[0].q;
         world.step();
         for (const Event& event : world.events())
-            if (event.kind == EventKind::flipper_end) return 1e3 * (event.time - start);
+            if (event.kind == EventKind::end_stop) return 1e3 * (event.time - start);
         if (before == world.movers()[0].q && world.time() > start + 0.01) break;
     }
     return 1e3 * (world.time() - start);
@@ -41,7 +41,7 @@ TEST_CASE("a flipper goes up in about 34 ms at 76 rad/s and comes down in about 
     while (up == 0 && world.time() < 0.1) {
         world.step();
         for (const Event& event : world.events())
-            if (event.kind == EventKind::flipper_end) {
+            if (event.kind == EventKind::end_stop) {
                 up = event.time - start;
                 fastest = event.speed;  // of the tip's end, lever times rate
             }

@@ -14,7 +14,7 @@ namespace {
 constexpr double r = 0.0135;
 
 ProgramPtr generated(int obstacles) {
-    const auto program = compile(playfield(catalogue(), obstacles));
+    const auto program = compile(playfield(catalog(), obstacles));
     REQUIRE(program);
     return *program;
 }

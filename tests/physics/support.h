@@ -12,8 +12,8 @@
 
 namespace pinfield::physics_test {
 
-inline const std::shared_ptr<const Catalogue>& catalogue() {
-    static const auto all = std::make_shared<const Catalogue>(built_in_catalogue());
+inline const std::shared_ptr<const Catalog>& catalog() {
+    static const auto all = std::make_shared<const Catalog>(built_in_catalog());
     return all;
 }
 
@@ -28,11 +28,11 @@ inline ProgramPtr compiled(const ReadResult& read) {
 }
 
 inline ProgramPtr program_of(const std::string& text) {
-    return compiled(read_table(std::make_shared<const SourceText>("test.yaml", text), catalogue()));
+    return compiled(read_table(std::make_shared<const SourceText>("test.yaml", text), catalog()));
 }
 
 inline ProgramPtr first_table() {
-    const auto loaded = load_table(test::source_dir() + "/scenes/tables/first_table.yaml", catalogue());
+    const auto loaded = load_table(test::source_dir() + "/scenes/tables/first_table.yaml", catalog());
     REQUIRE(loaded);
     return compiled(*loaded);
 }

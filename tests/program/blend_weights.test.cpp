@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "tests/program/tables.h"
 
@@ -45,7 +46,7 @@ TEST_CASE("blend weights of any tree are positive, add up to one, name each leaf
     int shared = 0, several_winners = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         INFO("seed " << seed);
-        Scene scene(catalogue());
+        Scene scene(catalog());
         CounterRng random(seed);
         grow(scene, {}, 1 + static_cast<int>(seed % 3), random);
         const ProgramPtr program = compiled(scene);
@@ -57,7 +58,7 @@ TEST_CASE("blend weights of any tree are positive, add up to one, name each leaf
             const std::vector<BlendWeight> weights = blend_weights(field, field.solids[0].root, p);
             double sum = 0, greatest = 0, of_winner = 0;
             for (std::size_t k = 0; k < weights.size(); ++k) {
-                REQUIRE(field.ops[static_cast<std::size_t>(weights[k].leaf)].child_count == 0);
+                REQUIRE(at(field.ops, weights[k].leaf).child_count == 0);
                 REQUIRE(weights[k].weight > 0);
                 if (k > 0) REQUIRE(weights[k - 1].leaf < weights[k].leaf);
                 sum += weights[k].weight;
@@ -78,7 +79,7 @@ TEST_CASE("at the seam of two equal discs each has half of a blend, and a hard u
     for (const char* family : families) {
         INFO(family);
         for (const bool smooth : {true, false}) {
-            Scene scene(catalogue());
+            Scene scene(catalog());
             const NodeId both = add(scene, smooth ? "smooth_union" : "union");
             if (smooth) set(*scene.find(both), "family", std::string(family));
             add(scene, "circle", both, {{"radius", 0.25}, {"at", Vec2(-0.5, 0)}});
@@ -101,7 +102,7 @@ TEST_CASE("a gradient is the weighted sum of the leaves' own") {
     CounterRng random(9);
     for (const char* operation : {"smooth_union", "smooth_intersection", "union", "intersection"})
         for (const char* family : families) {
-            Scene scene(catalogue());
+            Scene scene(catalog());
             const NodeId all = add(scene, operation);
             if (std::string_view(operation).starts_with("smooth")) {
                 set(*scene.find(all), "family", std::string(family));

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 
 using namespace pinfield;
@@ -30,8 +31,8 @@ double brute(const std::vector<Box2>& boxes, const Vec2& p) {
 double searched(const Bvh& bvh, const std::vector<Box2>& boxes, const Vec2& p) {
     double best = infinity;
     bvh.nearest(p, infinity, [&](int entry) {
-        if (boxes[static_cast<std::size_t>(entry)].is_finite())
-            best = std::min(best, boxes[static_cast<std::size_t>(entry)].distance(p));
+        if (at(boxes, entry).is_finite())
+            best = std::min(best, at(boxes, entry).distance(p));
         return best;
     });
     return best;

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/scene/parts/flipper.h"
 #include "tests/program/tables.h"
@@ -10,7 +11,7 @@ using namespace pinfield;
 using namespace pinfield::test;
 
 TEST_CASE("a table without a domain is a box of its size, solid outside") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(0.5, 1.0));
     const ProgramPtr program = compiled(scene);
     CHECK(nearest(program->fixed, {0.25, 0.5}).distance == Approx(0.25));
@@ -19,13 +20,13 @@ TEST_CASE("a table without a domain is a box of its size, solid outside") {
 }
 
 TEST_CASE("gravity in the plane is 9.81 times the sine of the slope, downwards") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "slope", 30.0);
     CHECK(compiled(scene)->physics.gravity == Vec2(0, -4.905));
 }
 
 TEST_CASE("a mirrored flipper is compiled in its own frame, with handedness") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     scene.inputs.push_back({"left", {"Z"}, {}});
     scene.inputs.push_back({"right", {"M"}, {}});
     add(scene, "flipper", {},
@@ -33,7 +34,7 @@ TEST_CASE("a mirrored flipper is compiled in its own frame, with handedness") {
     const ProgramPtr program = compiled(scene);
     REQUIRE(program->movers.size() == 1);
     const Mover& mover = program->movers[0];
-    const Part& part = program->parts[static_cast<std::size_t>(mover.part)];
+    const Part& part = at(program->parts, mover.part);
     const auto flipper = part.as<parts::Flipper>();
     CHECK(part.is<parts::Flipper>());
     CHECK(part.inputs == std::vector<int>{1});
@@ -41,13 +42,13 @@ TEST_CASE("a mirrored flipper is compiled in its own frame, with handedness") {
     CHECK(mover.pivot == Vec2(0.3, 0.1));
     CHECK(mover.cosine == -1);  // local +x points to the left in the world
     CHECK(mover.handedness == -1);
-    CHECK(mover.lever == Approx(flipper.length + flipper.radius_tip));
+    CHECK(mover.bounding_radius == Approx(flipper.length + flipper.radius_tip));
     CHECK(nearest_of_solid(mover.field, 0, {flipper.length + 0.1, 0}).distance == Approx(0.1 - flipper.radius_tip));
     CHECK(nearest(program->fixed, {0.28, 0.1}).distance > 0.05);  // a mover is no part of the static field
 }
 
 TEST_CASE("sensors never enter the field, and a spawn is only a place") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     add(scene, "drain", {}, {{"at", Vec2(0.25, 0.3)}, {"size", Vec2(0.1, 0.1)}});
     add(scene, "spawn", {}, {{"at", Vec2(0.2, 0.2)}});
     const ProgramPtr program = compiled(scene);
@@ -59,7 +60,7 @@ TEST_CASE("sensors never enter the field, and a spawn is only a place") {
 }
 
 TEST_CASE("layers get bits by name, groups hand theirs down, and each layer has a domain") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId ramp = add(scene, "group", {}, {{"layer", std::vector<std::string>{"ramp"}}});
     add(scene, "circle", ramp, {{"radius", 0.01}, {"at", Vec2(0.2, 0.2)}});
     add(scene, "circle", {}, {{"radius", 0.01}, {"at", Vec2(0.3, 0.2)}});
@@ -71,7 +72,7 @@ TEST_CASE("layers get bits by name, groups hand theirs down, and each layer has 
 }
 
 TEST_CASE("what cannot be compiled is told with its reason") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     add(scene, "box", {}, {{"size", Vec2(0.1, 0.1)}, {"round", 0.2}});
     add(scene, "union");
     add(scene, "flipper", {}, {{"input", std::vector<std::string>{"nobody"}}});
@@ -83,7 +84,7 @@ TEST_CASE("what cannot be compiled is told with its reason") {
 
 TEST_CASE("no query of any compiled random scene yields a NaN, wherever it is asked") {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        Scene scene(catalogue());
+        Scene scene(catalog());
         RandomTree(scene, seed, true).grow({}, 3);
         const NodeId goo = add(scene, "smooth_union");
         RandomTree(scene, seed + 1000, true).grow(goo, 2);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/sdf/piece_distance.h"
 #include "tests/program/tables.h"
@@ -51,7 +52,7 @@ Item item_of(const Scene& scene, NodeId id) {
     Item item;
     item.kernels = node.type->kernels;
     std::vector<Value> values;
-    for (int i = 0; i < node.type->own_fields; ++i) values.push_back(node.fields[static_cast<std::size_t>(i)].value);
+    for (int i = 0; i < node.type->own_fields; ++i) values.push_back(at(node.fields, i).value);
     item.block = pack(*node.type, values, item.kernels->derived_count);
     item.kernels->derive(item.block.data());
     item.parent_from_item = parent_from_local(node);
@@ -252,7 +253,7 @@ struct Tally {
 };
 
 void judge_tree(std::uint64_t seed, bool snapped, int points, Tally& tally) {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     RandomTree tree(scene, seed, snapped, true);
     const NodeId root = tree.grow({}, 2 + static_cast<int>(seed % 5));
     const Oracle oracle(scene, root);

@@ -1,4 +1,4 @@
-#include "engine/program/trust.h"
+#include "engine/program/distance_quality.h"
 
 #include <catch2/catch.hpp>
 
@@ -22,7 +22,7 @@ NodeId wedge(Scene& scene, std::string_view operation, NodeId parent) {
 }  // namespace
 
 TEST_CASE("a node's trust is that of its formula over its children, and its boundary's where that is known") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId joined = add(scene, "union");
     const NodeId disc = add(scene, "circle", joined, {{"radius", 0.02}});
     add(scene, "box", joined, {{"size", Vec2(0.02, 0.02)}, {"at", Vec2(0.02, 0)}});
@@ -37,13 +37,13 @@ TEST_CASE("a node's trust is that of its formula over its children, and its boun
     const NodeId bat = add(scene, "flipper");
     const ProgramPtr program = compiled(scene);
 
-    const std::map<NodeId, Trust> all = trusts_of(*program);
+    const std::map<NodeId, DistanceQuality> all = distance_qualities_of(*program);
     const auto check = [&](NodeId node, const Exactness& formula, bool known) {
         INFO(scene.path(node));
         REQUIRE(all.count(node) == 1);
         CHECK(all.at(node).formula == formula);
         CHECK(all.at(node).boundary_known == known);
-        const std::optional<Trust> one = trust_of(*program, node);
+        const std::optional<DistanceQuality> one = distance_quality_of(*program, node);
         REQUIRE(one);
         CHECK(one->formula == formula);
         CHECK(one->boundary_known == known);
@@ -55,26 +55,26 @@ TEST_CASE("a node's trust is that of its formula over its children, and its boun
     check(open, inside_only, false);
     check(cut, inside_only, true);  // for the onion's sake, although it is no solid of its own
     check(onion, outside_only, true);
-    CHECK(trust_of(*program, bat));
-    CHECK_FALSE(trust_of(*program, scene.physics().id));
+    CHECK(distance_quality_of(*program, bat));
+    CHECK_FALSE(distance_quality_of(*program, scene.physics().id));
 }
 
 TEST_CASE("a fitted boundary is known within its error, which makes no side of it exact") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.005}});
     add(scene, "circle", goo, {{"radius", 0.05}});
     add(scene, "circle", goo, {{"radius", 0.05}, {"at", Vec2(0.1, 0)}});
-    const std::optional<Trust> trust = trust_of(*compiled(scene), goo);
-    REQUIRE(trust);
-    CHECK(trust->boundary_known);
-    CHECK(trust->fit_error == Approx(1e-7 * (0.2 + 2 * 0.005)));  // a ten millionth of the longer side of its box
-    CHECK(trust->exactness() == neither);
+    const std::optional<DistanceQuality> quality = distance_quality_of(*compiled(scene), goo);
+    REQUIRE(quality);
+    CHECK(quality->boundary_known);
+    CHECK(quality->fit_error == Approx(1e-7 * (0.2 + 2 * 0.005)));  // a ten millionth of the longer side of its box
+    CHECK(quality->exactness() == neither);
 }
 
 TEST_CASE("an offset in a mover or a sensor is warned of like any other") {
     for (const std::string_view part : {"bumper", "drain"}) {
         INFO(part);
-        Scene scene(catalogue());
+        Scene scene(catalog());
         const NodeId offset = add(scene, "round", add(scene, part), {{"radius", 0.01}});
         wedge(scene, "intersection", offset);
         CHECK(warnings_of(*compiled(scene), scene).size() == 1);
@@ -92,7 +92,7 @@ TEST_CASE("an offset of a bound whose boundary cannot be found is a warning; of 
                           {"onion", "thickness", "smooth_union", "on both sides"}};
     for (const Case& c : cases) {
         INFO(c.offset << " of " << c.below);
-        Scene scene(catalogue());
+        Scene scene(catalog());
         const NodeId offset = add(scene, c.offset, {}, {{c.field, 0.01}});
         scene.find(offset)->key = {7, 12};
         wedge(scene, c.below, offset);
@@ -105,7 +105,7 @@ TEST_CASE("an offset of a bound whose boundary cannot be found is a warning; of 
         CHECK_THAT(found[0].message, Catch::StartsWith(std::string(c.offset)) && Catch::Contains(std::string(": ") + c.sides + ","));
     }
 
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId offset = add(scene, "round", {}, {{"radius", 0.01}});
     const NodeId cut = add(scene, "intersection", offset);
     add(scene, "box", cut);
@@ -114,7 +114,7 @@ TEST_CASE("an offset of a bound whose boundary cannot be found is a warning; of 
 }
 
 TEST_CASE("a layer that no ball is on is a warning, once, at the first solid there") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     add(scene, "circle");
     const std::vector<std::string> both{"ramp", "ground"}, ramp{"ramp"}, attic{"attic"};
     add(scene, "circle", {}, {{"layer", both}});

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/io/load_table.h"
 #include "engine/program/tree.h"
 #include "engine/scene/playfield.h"
@@ -16,7 +17,7 @@ using namespace pinfield::test;
 namespace {
 
 ProgramPtr gallery() {
-    const Result<LoadedTable> table = load_table(source_dir() + "/scenes/tables/gallery.yaml", catalogue());
+    const Result<LoadedTable> table = load_table(source_dir() + "/scenes/tables/gallery.yaml", catalog());
     REQUIRE(table);
     return compiled(table->scene);
 }
@@ -53,7 +54,7 @@ struct Pruned {
 Pruned prune(const Field& field, const Box2& tile, double trust = 1) {
     const Vec2 centre = tile.centre();
     const double reach = 0.5 * length(tile.size());
-    const auto claim = [&](const Solid& solid) { return field.ops[static_cast<std::size_t>(solid.root)].exactness; };
+    const auto claim = [&](const Solid& solid) { return at(field.ops, solid.root).exactness; };
     const auto change = [&](const Solid& solid) { return trust * reach * claim(solid).lipschitz; };
     double least = infinity;
     for (const Solid& solid : field.solids) least = std::min(least, tree_value(field, solid.root, centre) + change(solid));
@@ -140,7 +141,7 @@ Verdicts judged(const Field& field, const Vec2& table, int tiles, double trust) 
 
 TEST_CASE("the enclosure of a random tree over a box holds the values of all its ops at the box's points") {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
-        Scene scene(catalogue());
+        Scene scene(catalog());
         set(scene.table(), "size", Vec2(4, 4));
         RandomTree(scene, seed, seed % 2 == 0).grow({}, 3);
         const ProgramPtr program = compiled(scene);
@@ -161,7 +162,7 @@ TEST_CASE("the enclosure of everything in the gallery holds its values") {
 }
 
 TEST_CASE("an enclosure narrows to the value as its box narrows to a point") {
-    const ProgramPtr program = compiled(playfield(catalogue(), 40));
+    const ProgramPtr program = compiled(playfield(catalog(), 40));
     const Vec2 p(0.2, 0.3);
     for (const Solid& solid : program->fixed.solids) {
         double width = infinity;
@@ -179,7 +180,7 @@ TEST_CASE("what Lipschitz pruning drops for a tile is nearest nowhere in it, whi
         ProgramPtr program;
         double most_open;  ///< of all that is dropped: the gallery shows curves whose formulas iterate, of which intervals know little
     };
-    const Table tables[] = {{gallery(), 0.2}, {compiled(playfield(catalogue(), 80)), 0.01}};
+    const Table tables[] = {{gallery(), 0.2}, {compiled(playfield(catalog(), 80)), 0.01}};
     for (const auto& [program, most_open] : tables) {
         const Verdicts v = judged(program->fixed, program->size, 40, 1);
         CAPTURE(program->name, v.proved, v.refuted, v.open);
@@ -190,6 +191,6 @@ TEST_CASE("what Lipschitz pruning drops for a tile is nearest nowhere in it, whi
 }
 
 TEST_CASE("intervals refute a pruning that trusts less change across a tile than there is") {
-    const ProgramPtr program = compiled(playfield(catalogue(), 80));
+    const ProgramPtr program = compiled(playfield(catalog(), 80));
     CHECK(judged(program->fixed, program->size, 40, 0.3).refuted > 10);
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/tree.h"
 #include "engine/scene/playfield.h"
@@ -21,7 +22,7 @@ Vec2 random_point(CounterRng& random, double lo, double hi) {
 }  // namespace
 
 TEST_CASE("a disc that is turned, flipped, scaled and moved is the disc that arithmetic says") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(100, 100));
     const NodeId group =
         add(scene, "group", {}, {{"at", Vec2(1, 2)}, {"turn", 90.0}, {"scale", 2.0}, {"flip", std::string("x")}});
@@ -35,7 +36,7 @@ TEST_CASE("a disc that is turned, flipped, scaled and moved is the disc that ari
 }
 
 TEST_CASE("an L of two overlapping boxes is exact inside, where the smaller of two depths is not") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
     const NodeId both = add(scene, "union");
     add(scene, "box", both, {{"size", Vec2(4, 2)}, {"at", Vec2(4, 3)}});  // [2, 6] x [2, 4]
@@ -49,7 +50,7 @@ TEST_CASE("an L of two overlapping boxes is exact inside, where the smaller of t
 }
 
 TEST_CASE("an intersected corner is a corner and not the mitre of max") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
     const NodeId cut = add(scene, "intersection");
     add(scene, "box", cut, {{"size", Vec2(2, 2)}, {"at", Vec2(4, 4)}});
@@ -61,7 +62,7 @@ TEST_CASE("an intersected corner is a corner and not the mitre of max") {
 }
 
 TEST_CASE("the material on a cut face is the cutter's") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
     for (const char* name : {"wood", "steel"}) scene.add_material(name);
     const NodeId cut = add(scene, "difference", {}, {{"material", std::string("wood")}});
@@ -71,18 +72,16 @@ TEST_CASE("the material on a cut face is the cutter's") {
     const ProgramPtr program = compiled(scene);
     const auto material_at = [&](const Vec2& p) {
         const Nearest n = nearest(program->fixed, p);
-        return program
-            ->materials[static_cast<std::size_t>(program->fixed.ops[static_cast<std::size_t>(n.leaf)].material)]
-            .name;
+        return at(program->materials, at(program->fixed.ops, n.leaf).material).name;
     };
     CHECK(material_at({5.2, 5}) == "steel");
     CHECK(material_at({5.6, 5}) == "steel");  // just inside the wood, the hole's face is nearest
     CHECK(material_at({5, 6.2}) == "wood");
-    CHECK(program->fixed.ops[static_cast<std::size_t>(nearest(program->fixed, {5.2, 5}).leaf)].origin == hole);
+    CHECK(at(program->fixed.ops, nearest(program->fixed, {5.2, 5}).leaf).origin == hole);
 }
 
 TEST_CASE("the union of a playfield is the least of its solids, and a search finds it wherever the point lies") {
-    const Scene scene = playfield(catalogue(), 100);
+    const Scene scene = playfield(catalog(), 100);
     const ProgramPtr program = compiled(scene);
     CounterRng random(4);
     int inside = 0;
@@ -97,7 +96,7 @@ TEST_CASE("the union of a playfield is the least of its solids, and a search fin
         REQUIRE(n.distance == Approx(least).margin(1e-14));
         REQUIRE(length(n.gradient) == Approx(1).epsilon(1e-12));
         const int first_op = n.solid == 0 ? 0 : program->fixed.solids[static_cast<std::size_t>(n.solid) - 1].root + 1;
-        REQUIRE((first_op <= n.leaf && n.leaf <= program->fixed.solids[static_cast<std::size_t>(n.solid)].root));
+        REQUIRE((first_op <= n.leaf && n.leaf <= at(program->fixed.solids, n.solid).root));
         REQUIRE(std::fabs(tree_value(program->fixed, n.leaf, p - n.distance * n.gradient)) < 1e-13);
         inside += least < 0;
         if (least < 0) continue;
@@ -111,7 +110,7 @@ TEST_CASE("the union of a playfield is the least of its solids, and a search fin
 }
 
 TEST_CASE("inside two solids at once the distance is the greater depth and not certified") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
     add(scene, "circle", {}, {{"radius", 1.0}, {"at", Vec2(4, 5)}});
     add(scene, "circle", {}, {{"radius", 1.0}, {"at", Vec2(5, 5)}});
@@ -125,7 +124,7 @@ TEST_CASE("inside two solids at once the distance is the greater depth and not c
 }
 
 TEST_CASE("on the outline itself the distance is zero and the gradient points out of the solid") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
     add(scene, "box", {}, {{"size", Vec2(2, 2)}, {"at", Vec2(5, 5)}});
     const ProgramPtr program = compiled(scene);
@@ -174,7 +173,7 @@ TEST_CASE("a piece and its reflection, its quarter turn and its reverse have the
 }
 
 TEST_CASE("a blend is certified where the foot shows that its value is the distance") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
     const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.05}});
     add(scene, "circle", goo, {{"radius", 0.5}, {"at", Vec2(4, 5)}});
@@ -188,7 +187,7 @@ TEST_CASE("a blend is certified where the foot shows that its value is the dista
 }
 
 TEST_CASE("a solid is never nearer than its box, however far its formula may under-estimate") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
     const NodeId twist = add(scene, "twist", {}, {{"at", Vec2(5, 5)}, {"angle", 170.0}, {"radius", 1.0}});
     add(scene, "box", twist, {{"size", Vec2(1.8, 0.3)}});

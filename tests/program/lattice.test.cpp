@@ -1,6 +1,7 @@
 // Infinite repetition against the same copies written out, which are known to be right.
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/program/evaluate.h"
 #include "tests/program/tables.h"
@@ -50,7 +51,7 @@ struct Pair {
 
 template <class Add>
 Pair pair_of(Add add_solid) {
-    Scene endless(catalogue()), finite(catalogue());
+    Scene endless(catalog()), finite(catalog());
     add_solid(endless, true);
     add_solid(finite, false);
     return {compiled(endless), compiled(finite)};
@@ -90,7 +91,7 @@ TEST_CASE("what a lattice cuts out of a plate is cut exactly") {
             add(scene, "circle", plate, {{"radius", 0.15}});
             add_child(scene, add_lattice(scene, plate, infinite, {0.07, 0.06}), kind);
         });
-        CHECK(pair.program->fixed.solids[static_cast<std::size_t>(Pair::first(*pair.program))].lowered);
+        CHECK(at(pair.program->fixed.solids, Pair::first(*pair.program)).lowered);
         CounterRng rng(18);
         for (int i = 0; i < 2000; ++i) {
             const double x = rng.in(-0.2, 0.2);
@@ -100,14 +101,14 @@ TEST_CASE("what a lattice cuts out of a plate is cut exactly") {
 }
 
 TEST_CASE("what has no end, or reaches over thousands of cells, is not repeated without end") {
-    Scene endless(catalogue());
+    Scene endless(catalog());
     add(endless, "half_plane", add(endless, "repeat_infinite", {}));
     const auto without_end = compile(endless);
     REQUIRE_FALSE(without_end);
     CHECK(without_end.error()[0].code == "E0209");
     CHECK(without_end.error()[0].message == "what has no end cannot be repeated without end");
 
-    Scene crowded(catalogue());
+    Scene crowded(catalog());
     add(crowded, "circle", add(crowded, "repeat_infinite", {}, {{"step", Vec2(0.001, 0.001)}}), {{"radius", 0.05}});
     const auto too_many = compile(crowded);
     REQUIRE_FALSE(too_many);
@@ -115,14 +116,14 @@ TEST_CASE("what has no end, or reaches over thousands of cells, is not repeated 
 }
 
 TEST_CASE("repetitions that multiply beyond a second's work are refused before anything is made of them") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     NodeId innermost;
     for (int depth = 0; depth < 6; ++depth) innermost = add(scene, "repeat", innermost, {{"count", Vec2(4, 4)}});
     add(scene, "circle", innermost);
     const auto refused = compile(scene);
     REQUIRE_FALSE(refused);
     CHECK(refused.error()[0].code == "E0112");
-    Scene plain(catalogue());  // one alone has its own limit
+    Scene plain(catalog());  // one alone has its own limit
     add(plain, "circle", add(plain, "repeat", {}, {{"count", Vec2(32, 32)}}));
     CHECK(compile(plain));
 }

@@ -3,6 +3,7 @@
 // distance is exact when its foot is on the boundary and no boundary point is nearer.
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "engine/program/arrangement.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
@@ -62,7 +63,7 @@ struct Count {
 };
 
 void check_tree(std::uint64_t seed, bool snapped, Count& count) {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     RandomTree tree(scene, seed, snapped);
     const int depth = 1 + tree.pick(4);
     tree.grow({}, depth);
@@ -90,7 +91,7 @@ void check_tree(std::uint64_t seed, bool snapped, Count& count) {
             }
     count.boundary_points += static_cast<int>(boundary.size());
     for (int i = 0; i < solid.piece_count; ++i) {
-        const BoundaryPiece& piece = field.pieces[static_cast<std::size_t>(solid.first_piece + i)];
+        const BoundaryPiece& piece = at(field.pieces, solid.first_piece + i);
         for (const Sample& s : samples_of(piece.piece, 10, random)) {
             const int v = verdict(field, solid, leaves, s);
             INFO("piece " << i << " at " << s.at.transpose());
@@ -130,7 +131,7 @@ TEST_CASE("the lowered boundary is true where edges are shared, outlines touch a
 }
 
 TEST_CASE("what two shapes share is in the boundary once, and belongs to the first") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId both = add(scene, "union");
     const NodeId first = add(scene, "box", both, {{"size", Vec2(2, 2)}});
     add(scene, "box", both, {{"size", Vec2(2, 2)}});
@@ -140,9 +141,9 @@ TEST_CASE("what two shapes share is in the boundary once, and belongs to the fir
     const Field& field = program->fixed;
     double perimeter = 0;
     for (int i = 0; i < field.solids[0].piece_count; ++i) {
-        const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(i)];
+        const BoundaryPiece& boundary = at(field.pieces, i);
         perimeter += length(boundary.piece.b - boundary.piece.a);
-        CHECK(field.ops[static_cast<std::size_t>(boundary.leaf)].origin == first);
+        CHECK(at(field.ops, boundary.leaf).origin == first);
     }
     CHECK(perimeter == Approx(8).epsilon(1e-14));
 }

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/trace.h"
@@ -21,21 +22,21 @@ struct Alone {
     int index = 0;
 
     explicit Alone(const std::function<void(Scene&)>& fill) {
-        Scene scene(catalogue());
+        Scene scene(catalog());
         set(scene.table(), "size", Vec2(4, 4));
         fill(scene);
         program = compiled(scene);
         index = first_shape(*program);
     }
     const Field& field() const { return program->fixed; }
-    const Solid& solid() const { return field().solids[static_cast<std::size_t>(index)]; }
+    const Solid& solid() const { return at(field().solids, index); }
     double distance(const Vec2& p) const { return nearest_of_solid(field(), index, p).distance; }
     double formula(const Vec2& p) const { return tree_value(field(), solid().root, p); }
 
     double to_pieces(const Vec2& p) const {
         double best = infinity;
         for (int i = 0; i < solid().piece_count; ++i)
-            best = std::min(best, squared_distance_to_piece(field().pieces[static_cast<std::size_t>(solid().first_piece + i)].piece, p));
+            best = std::min(best, squared_distance_to_piece(at(field().pieces, solid().first_piece + i).piece, p));
         return std::sqrt(best);
     }
     /// Where the outline crosses the way from a solid place to a free one.
@@ -116,7 +117,7 @@ TEST_CASE("the boundary of a blended lens follows its zero line into the tips") 
                 CHECK(alone.to_pieces({-p.x(), -p.y()}) < alone.solid().fit_error);
             }
             for (int i = 0; i < alone.solid().piece_count; ++i) {  // and leads nowhere else
-                const sdf::Piece& piece = alone.field().pieces[static_cast<std::size_t>(alone.solid().first_piece + i)].piece;
+                const sdf::Piece& piece = at(alone.field().pieces, alone.solid().first_piece + i).piece;
                 const Vec2 q = piece.a.cwiseAbs();
                 const double x = std::min(q.x(), tip.x()), y = std::min(q.y(), 0.5 * thick);
                 const Vec2 above = alone.outline_between({x, 0}, {x, 1}), beside = alone.outline_between({0, y}, {1, y});
@@ -180,7 +181,7 @@ TEST_CASE("a star that is twisted until its tips are needles is traced to their 
                     }
                 }
             for (int i = 0; i < alone.solid().piece_count; ++i)  // and leads nowhere else
-                CHECK(std::fabs(alone.formula(alone.field().pieces[static_cast<std::size_t>(alone.solid().first_piece + i)].piece.a)) <
+                CHECK(std::fabs(alone.formula(at(alone.field().pieces, alone.solid().first_piece + i).piece.a)) <
                       alone.solid().fit_error);
         }
 }
@@ -196,10 +197,10 @@ TEST_CASE("a fitted boundary has no gap, however many traced walls cross", "[slo
         const Solid& solid = alone.solid();
         std::size_t open = 0;
         for (int i = 0; i < solid.piece_count; ++i) {
-            const sdf::Piece& piece = alone.field().pieces[static_cast<std::size_t>(solid.first_piece + i)].piece;
+            const sdf::Piece& piece = at(alone.field().pieces, solid.first_piece + i).piece;
             double gap = piece.is_full_circle() ? 0 : infinity;
             for (int k = 0; k < solid.piece_count && gap > 1e-6; ++k)
-                gap = std::min(gap, length(alone.field().pieces[static_cast<std::size_t>(solid.first_piece + k)].piece.a - piece.b));
+                gap = std::min(gap, length(at(alone.field().pieces, solid.first_piece + k).piece.a - piece.b));
             open += gap > 1e-6;
         }
         CHECK(open == 0);

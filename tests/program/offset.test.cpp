@@ -38,7 +38,7 @@ Vec2 crossing(const Field& bare, const Offset& offset, Vec2 p, Vec2 q) {
 
 void check_offset(std::uint64_t seed, bool snapped, const Offset& offset, Tally& tally) {
     const auto scene_of = [&](bool with_offset) {
-        Scene scene(catalogue());
+        Scene scene(catalog());
         const NodeId above = with_offset ? add(scene, offset.key, {}, {{offset.field, offset.amount}}) : NodeId{};
         RandomTree(scene, seed, snapped, true).grow(above, 1 + static_cast<int>(seed % 4));
         return compiled(scene);

@@ -1,8 +1,10 @@
 // The law of patching: a patched program equals the program compiled from the edited scene, bit for bit.
 #include "engine/program/patch.h"
 
+#include <array>
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "engine/io/load_table.h"
 #include "engine/scene/playfield.h"
 #include "tests/places.h"
@@ -32,16 +34,20 @@ Value nudged(const FieldType& field, const Value& value, CounterRng& random) {
             points->front() += Vec2{random.in(-0.002, 0.002), random.in(-0.002, 0.002)};
     } else if (field.kind == FieldKind::choice) {
         out = std::string(
-            field.choices[static_cast<std::size_t>(random.uniform() * static_cast<double>(field.choices.size()))]);
+            at(field.choices, random.uniform() * static_cast<double>(field.choices.size())));
     } else if (field.kind == FieldKind::choices) {
         auto words = std::get<std::vector<std::string>>(out);
         if (random.uniform() < 0.3) words.push_back(words.front());
-        words.front() = field.choices[static_cast<std::size_t>(random.uniform() * static_cast<double>(field.choices.size()))];
+        words.front() = at(field.choices, random.uniform() * static_cast<double>(field.choices.size()));
         out = std::move(words);
     } else if (field.kind == FieldKind::text || field.kind == FieldKind::id) {
         out = std::string(random.uniform() < 0.5 ? "rubber" : "default");
     }
     return out;
+}
+
+ProgramPtr patched_by(const Program& before, const Scene& scene, NodeId node, int field) {
+    return patch(before, scene, std::array{FieldChange{node, field}});
 }
 
 struct Tally {
@@ -56,10 +62,10 @@ void check_all_edits(Scene& scene, std::uint64_t seed, Tally& tally) {
         for (std::size_t f = 0; f < scene.find(id)->type->fields.size(); ++f) {
             const Node& node = *scene.find(id);
             Edit edit{id, static_cast<int>(f), nudged(node.type->fields[f], node.fields[f].value, random), true};
-            if (refuse(scene, edit)) continue;
+            if (why_invalid(scene, edit)) continue;
             const Edit undo = apply(scene, edit);
             const auto fresh = compile(scene);
-            const ProgramPtr patched = patch(*program, scene, id, edit.field);
+            const ProgramPtr patched = patched_by(*program, scene, id, edit.field);
             INFO(scene.path(id) << "." << node.type->fields[f].key);
             ++tally.edits;
             if (!fresh) {
@@ -82,7 +88,7 @@ void check_all_edits(Scene& scene, std::uint64_t seed, Tally& tally) {
 
 TEST_CASE("a patched program equals a recompiled one, whatever field of the playfield changes") {
     Tally tally;
-    Scene scene = playfield(catalogue(), 40);
+    Scene scene = playfield(catalog(), 40);
     scene.add_material("rubber");
     check_all_edits(scene, 1, tally);
     CHECK(tally.patched > 300);
@@ -91,7 +97,7 @@ TEST_CASE("a patched program equals a recompiled one, whatever field of the play
 TEST_CASE("a patched program equals a recompiled one, whatever field of a random tree changes") {
     Tally tally;
     for (std::uint64_t seed = 1; seed <= 25; ++seed) {
-        Scene scene(catalogue());
+        Scene scene(catalog());
         scene.add_material("rubber");
         const NodeId group = add(scene, "group", {}, {{"at", Vec2(0.2, 0.3)}});
         for (int i = 0; i < 3; ++i)
@@ -112,7 +118,7 @@ TEST_CASE("a patched program equals a recompiled one, whatever field of a random
 }
 
 TEST_CASE("a patched program equals a recompiled one, whatever field of the first table changes") {
-    auto table = load_table(test::source_dir() + "/scenes/tables/first_table.yaml", catalogue());
+    auto table = load_table(test::source_dir() + "/scenes/tables/first_table.yaml", catalog());
     REQUIRE(table);
     REQUIRE(table->ok());
     Tally tally;
@@ -120,11 +126,46 @@ TEST_CASE("a patched program equals a recompiled one, whatever field of the firs
     CHECK(tally.patched > 400);
 }
 
+TEST_CASE("many fields that change at once are patched as one, and equal a recompiled program") {
+    auto table = load_table(test::source_dir() + "/scenes/tables/first_table.yaml", catalog());
+    REQUIRE(table);
+    Scene& scene = table->scene;
+    CounterRng random(11);
+    ProgramPtr program = compiled(scene);
+    int patched_rounds = 0;
+    for (int round = 0; round < 60; ++round) {
+        std::vector<FieldChange> changes;
+        std::vector<Edit> undo;
+        for (const NodeId id : scene.all()) {
+            if (random.uniform() < 0.7) continue;
+            const Node& node = *scene.find(id);
+            const int f = static_cast<int>(random.uniform() * static_cast<double>(node.fields.size()));
+            if (at(node.type->fields, f).meta.affects == Affects::structure) continue;
+            const Edit edit{id, f, nudged(at(node.type->fields, f), at(node.fields, f).value, random), true};
+            if (why_invalid(scene, edit)) continue;
+            undo.push_back(apply(scene, edit));
+            changes.push_back({id, f});
+        }
+        REQUIRE(changes.size() > 5);
+        const auto fresh = compile(scene);
+        const ProgramPtr patched = patch(*program, scene, changes);
+        REQUIRE((patched == nullptr || fresh));
+        if (patched) {
+            ++patched_rounds;
+            REQUIRE(difference(*patched, **fresh).empty());
+        }
+        if (fresh) program = *fresh;
+        else
+            for (auto edit = undo.rbegin(); edit != undo.rend(); ++edit) apply(scene, *edit);
+    }
+    CHECK(patched_rounds > 30);
+}
+
 TEST_CASE("an edit that changes names or layers is left to compile") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId disc = add(scene, "circle");
     const ProgramPtr program = compiled(scene);
-    CHECK(patch(*program, scene, disc, *scene.find(disc)->type->find_field("layer")) == nullptr);
-    CHECK(patch(*program, scene, disc, *scene.find(disc)->type->find_field("id")) == nullptr);
-    CHECK(patch(*program, scene, disc, *scene.find(disc)->type->find_field("at")) != nullptr);
+    CHECK(patched_by(*program, scene, disc, *scene.find(disc)->type->find_field("layer")) == nullptr);
+    CHECK(patched_by(*program, scene, disc, *scene.find(disc)->type->find_field("id")) == nullptr);
+    CHECK(patched_by(*program, scene, disc, *scene.find(disc)->type->find_field("at")) != nullptr);
 }

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/scene/playfield.h"
 #include "tests/program/tables.h"
@@ -20,7 +21,7 @@ Vec2 pixel_centre(const Raster& r, int x, int y) {
 double least_distance(const Field& field, const Vec2& p) {
     double least = infinity;
     for (int i = 0; i < static_cast<int>(field.solids.size()); ++i)
-        if (field.solids[static_cast<std::size_t>(i)].visible) least = std::min(least, nearest_of_solid(field, i, p).distance);
+        if (at(field.solids, i).visible) least = std::min(least, nearest_of_solid(field, i, p).distance);
     return least;
 }
 
@@ -30,7 +31,7 @@ double worst_error(const Field& field, Raster raster, sdf::Isa isa) {
     double worst = 0;
     for (int y = 0; y < raster.height; ++y)
         for (int x = 0; x < raster.width; ++x) {
-            const auto drawn = static_cast<double>(raster.distance[static_cast<std::size_t>(y * raster.width + x)]);
+            const auto drawn = static_cast<double>(at(raster.distance, y * raster.width + x));
             worst = std::max(worst, std::fabs(least_distance(field, pixel_centre(raster, x, y)) - drawn));
         }
     return worst;
@@ -39,7 +40,7 @@ double worst_error(const Field& field, Raster raster, sdf::Isa isa) {
 }  // namespace
 
 TEST_CASE("every pixel of a raster is the least of the solids' distances there, for each instruction set") {
-    Scene scene = playfield(catalogue(), 80);
+    Scene scene = playfield(catalog(), 80);
     RandomTree(scene, 5, false).grow({}, 3);
     const ProgramPtr program = compiled(scene);
     for (const sdf::Isa isa : {sdf::Isa::sse2, sdf::Isa::avx2}) {
@@ -52,11 +53,11 @@ TEST_CASE("every pixel of a raster is the least of the solids' distances there, 
 TEST_CASE("around a tree, or what is known by a formula alone, a pixel is the true distance") {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         INFO(seed);
-        Scene scene(catalogue());
+        Scene scene(catalog());
         RandomTree(scene, seed, seed % 2 == 0).grow({}, 3);
         CHECK(worst_error(compiled(scene)->fixed, Raster{160, 160, Box2::centred(1, 1), {}, {}}, sdf::best_isa()) < 4e-6);
     }
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId twisted = add(scene, "twist", {}, {{"at", Vec2(0.3, 0.3)}, {"radius", 0.2}});
     add(scene, "star", twisted, {{"outer", 0.2}, {"inner", 0.1}});
     const NodeId drop = add(scene, "smooth_union", add(scene, "round", {}, {{"radius", 0.005}, {"at", Vec2(0.7, 0.7)}}));
@@ -70,7 +71,7 @@ TEST_CASE("around a tree, or what is known by a formula alone, a pixel is the tr
 }
 
 TEST_CASE("deep in two solids that overlap each pixel is the deeper one's, whichever comes first") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(1, 1));
     for (const double x : {0.4, 0.6, 0.4}) add(scene, "circle", {}, {{"radius", 0.35}, {"at", Vec2(x, 0.5)}});
     const ProgramPtr program = compiled(scene);
@@ -79,13 +80,13 @@ TEST_CASE("deep in two solids that overlap each pixel is the deeper one's, which
     double worst = 0;
     for (int x = 0; x < raster.width; ++x) {
         const double truth = least_distance(program->fixed, pixel_centre(raster, x, 500));
-        worst = std::max(worst, std::fabs(truth - static_cast<double>(raster.distance[static_cast<std::size_t>(500 * raster.width + x)])));
+        worst = std::max(worst, std::fabs(truth - static_cast<double>(at(raster.distance, 500 * raster.width + x))));
     }
     CHECK(worst < 2e-6);
 }
 
 TEST_CASE("a pixel in a solid shows the material of the leaf that it belongs to") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(1, 1));
     for (const char* name : {"wood", "steel"}) scene.add_material(name);
     const NodeId both = add(scene, "union", {}, {{"material", std::string("wood")}});
@@ -99,7 +100,7 @@ TEST_CASE("a pixel in a solid shows the material of the leaf that it belongs to"
 }
 
 TEST_CASE("a mover is laid over the static field where it is") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(1, 1));
     add(scene, "flipper", {}, {{"at", Vec2(0.5, 0.5)}});
     const ProgramPtr program = compiled(scene);
@@ -113,12 +114,12 @@ TEST_CASE("a mover is laid over the static field where it is") {
             const Vec2 p = pixel_centre(raster, x, y);
             const double truth = std::min(least_distance(program->fixed, p),
                                           least_distance(mover.field, world_from_mover.inverse() * p));
-            REQUIRE(static_cast<double>(raster.distance[static_cast<std::size_t>(y * 200 + x)]) ==
+            REQUIRE(static_cast<double>(at(raster.distance, y * 200 + x)) ==
                     Approx(truth).margin(2e-6));
         }
 }
 
-TEST_CASE("a window without solids is empty and still has a colour") {
+TEST_CASE("a window without solids is empty and still has a color") {
     Program program;
     program.materials.emplace_back();
     Raster raster{20, 10, Box2::of({0, 0}, {0.2, 0.1}), {}, {}};

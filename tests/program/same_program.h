@@ -63,7 +63,7 @@ inline bool same(const Field& a, const Field& b) {
 }
 inline bool same(const Mover& a, const Mover& b) {
     return same(a.field, b.field) && a.part == b.part && same(a.pivot, b.pivot) && same(a.cosine, b.cosine) &&
-           same(a.sine, b.sine) && same(a.handedness, b.handedness) && same(a.lever, b.lever);
+           same(a.sine, b.sine) && same(a.handedness, b.handedness) && same(a.bounding_radius, b.bounding_radius);
 }
 inline bool same(const Sensor& a, const Sensor& b) { return same(a.field, b.field) && a.part == b.part; }
 inline bool same(const Part& a, const Part& b) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/program/compile.h"
 #include "engine/scene/catalog.h"
@@ -12,21 +13,21 @@
 
 namespace pinfield::test {
 
-inline std::shared_ptr<const Catalogue> catalogue() {
-    static const auto shared = std::make_shared<const Catalogue>(built_in_catalogue());
+inline std::shared_ptr<const Catalog> catalog() {
+    static const auto shared = std::make_shared<const Catalog>(built_in_catalog());
     return shared;
 }
 
 using Fields = std::vector<std::pair<std::string_view, Value>>;
 
 inline void set(Node& node, std::string_view key, Value value) {
-    FieldSlot& slot = node.fields[static_cast<std::size_t>(*node.type->find_field(key))];
+    FieldSlot& slot = at(node.fields, *node.type->find_field(key));
     slot.value = std::move(value);
-    slot.given = true;
+    slot.is_explicit = true;
 }
 
 inline NodeId add(Scene& scene, std::string_view key, NodeId parent = {}, const Fields& fields = {}) {
-    Node& node = scene.add(*scene.catalogue().find(key), parent);
+    Node& node = scene.add(*scene.catalog().find(key), parent);
     for (const auto& [field, value] : fields) set(node, field, value);
     return node.id;
 }

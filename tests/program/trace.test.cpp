@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/trace.h"
 #include "engine/program/tree.h"
@@ -40,7 +41,7 @@ double brute_distance(const std::vector<Vec2>& outline, const Vec2& p) {
 
 /// A table with this one solid.
 ProgramPtr table_of(const std::function<void(Scene&)>& fill) {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     set(scene.table(), "size", Vec2(1, 1));
     fill(scene);
     return compiled(scene);
@@ -108,7 +109,7 @@ TEST_CASE("traced as formulas, CSG trees have the boundary that they are lowered
     int tried = 0;
     double worst = 0;
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-        Scene scene(catalogue());
+        Scene scene(catalog());
         RandomTree tree(scene, seed, seed % 4 == 0);
         tree.grow({}, 1 + static_cast<int>(seed % 2));
         const ProgramPtr program = compiled(scene);
@@ -121,11 +122,11 @@ TEST_CASE("traced as formulas, CSG trees have the boundary that they are lowered
         for (const OwnedPiece& piece : traced) {
             double nearest = infinity;
             for (int i = 0; i < field.solids[0].piece_count; ++i)
-                nearest = std::min(nearest, squared_distance_to_piece(field.pieces[static_cast<std::size_t>(i)].piece, piece.piece.a));
+                nearest = std::min(nearest, squared_distance_to_piece(at(field.pieces, i).piece, piece.piece.a));
             worst = std::max(worst, std::sqrt(nearest) / size);
         }
         for (int i = 0; i < field.solids[0].piece_count; ++i) {  // and nothing of it was missed
-            const sdf::Piece& whole = field.pieces[static_cast<std::size_t>(i)].piece;
+            const sdf::Piece& whole = at(field.pieces, i).piece;
             if (length(whole.b - whole.a) < 0.05 * size && !whole.is_full_circle()) continue;
             double nearest = infinity;
             for (const OwnedPiece& piece : traced) nearest = std::min(nearest, squared_distance_to_piece(piece.piece, whole.a));
@@ -197,8 +198,8 @@ TEST_CASE("each piece of a traced boundary belongs to the shape whose surface it
     const Field& field = program->fixed;
     int of_left = 0, of_right = 0;
     for (int i = 0; i < field.solids[0].piece_count; ++i) {
-        const BoundaryPiece& boundary = field.pieces[static_cast<std::size_t>(field.solids[0].first_piece + i)];
-        const NodeId owner = field.ops[static_cast<std::size_t>(boundary.leaf)].origin;
+        const BoundaryPiece& boundary = at(field.pieces, field.solids[0].first_piece + i);
+        const NodeId owner = at(field.ops, boundary.leaf).origin;
         const double x = 0.5 * (boundary.piece.a.x() + boundary.piece.b.x());
         if (std::fabs(x - 0.425) < 1e-4) continue;  // across the seam
         CHECK(owner == (x < 0.425 ? left : right));
@@ -232,7 +233,7 @@ TEST_CASE("two corners that all but touch are traced as the field has them, part
             for (int i = 0; i < field.solids[0].piece_count; ++i) {  // of the exact outline
                 double nearest = infinity;
                 for (const OwnedPiece& owned : traced.pieces)
-                    nearest = std::min(nearest, squared_distance_to_piece(owned.piece, field.pieces[static_cast<std::size_t>(i)].piece.a));
+                    nearest = std::min(nearest, squared_distance_to_piece(owned.piece, at(field.pieces, i).piece.a));
                 CHECK(std::sqrt(nearest) < traced.error);
             }
         }
@@ -242,21 +243,21 @@ TEST_CASE("two corners that all but touch are traced as the field has them, part
 // What is fitted strays by a ten millionth of what was traced, however little of it is left; the distance is put right by what it strayed.
 TEST_CASE("a small piece of a large traced shape knows its error and is corrected by it") {
     const double a = 0.9, b = 0.5;
-    const auto at = [&](double angle) { return Vec2(a * std::cos(angle), b * std::sin(angle)); };
+    const auto rim = [&](double angle) { return Vec2(a * std::cos(angle), b * std::sin(angle)); };
     const ProgramPtr program = table_of([&](Scene& scene) {
         const NodeId chip = add(scene, "intersection");
         add(scene, "ellipse", chip, {{"radii", Vec2(a, b)}});
-        add(scene, "circle", chip, {{"radius", 0.005}, {"at", at(1)}});
+        add(scene, "circle", chip, {{"radius", 0.005}, {"at", rim(1)}});
     });
     const Field& field = program->fixed;
     const int chip = first_shape(*program);
-    REQUIRE(field.solids[static_cast<std::size_t>(chip)].lowered);
-    CHECK(field.solids[static_cast<std::size_t>(chip)].fit_error == Approx(trace_tolerance * 2 * a));
+    REQUIRE(at(field.solids, chip).lowered);
+    CHECK(at(field.solids, chip).fit_error == Approx(trace_tolerance * 2 * a));
     CounterRng rng(8);
     for (int i = 0; i < 200; ++i) {
         const double angle = 1 + rng.in(-0.004, 0.004), distance = rng.in(1e-5, 1e-3);
         const Vec2 normal = Vec2(b * std::cos(angle), a * std::sin(angle)).normalized();
-        const Nearest found = nearest_of_solid(field, chip, at(angle) + distance * normal);
+        const Nearest found = nearest_of_solid(field, chip, rim(angle) + distance * normal);
         INFO("angle " << angle << " distance " << distance);
         REQUIRE(std::fabs(found.distance - distance) < 1e-11);
     }
@@ -275,8 +276,8 @@ TEST_CASE("half planes are cut where they meet, exact up to a horizon and never 
     });
     const Field& field = program->fixed;
     const int quadrant = field.solids[0].is_domain ? 1 : 0;
-    REQUIRE(field.solids[static_cast<std::size_t>(quadrant)].lowered);
-    const double horizon = field.solids[static_cast<std::size_t>(quadrant)].horizon;
+    REQUIRE(at(field.solids, quadrant).lowered);
+    const double horizon = at(field.solids, quadrant).horizon;
     CHECK(horizon > 50);
     CHECK(horizon < 1000);
     const Vec2 corner(0.5, 0.5);

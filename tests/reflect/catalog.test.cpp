@@ -1,4 +1,4 @@
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 
 #include <catch2/catch.hpp>
 
@@ -7,21 +7,21 @@
 
 namespace pinfield {
 
-TEST_CASE("a catalogue keeps its types in order, at addresses that further additions and moves leave alone") {
-    Catalogue catalogue;
-    const NodeType* first = &catalogue.add(node_type<Basket<double>>());
+TEST_CASE("a catalog keeps its types in order, at addresses that further additions and moves leave alone") {
+    Catalog catalog;
+    const NodeType* first = &catalog.add(node_type<Basket<double>>());
     for (int i = 0; i < 100; ++i) {
         static constexpr std::string_view letters =
             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMN";
         NodeType type = node_type<Basket<double>>();
         type.meta.key = letters.substr(static_cast<std::size_t>(i), 2);
-        if (!catalogue.find(type.meta.key)) catalogue.add(std::move(type));
+        if (!catalog.find(type.meta.key)) catalog.add(std::move(type));
     }
-    CHECK(catalogue.find("basket") == first);
-    CHECK(catalogue.keys().front() == "basket");
-    CHECK(catalogue.keys()[1] == "ab");
-    CHECK(catalogue.find("nothing") == nullptr);
-    const Catalogue moved = std::move(catalogue);
+    CHECK(catalog.find("basket") == first);
+    CHECK(catalog.keys().front() == "basket");
+    CHECK(catalog.keys()[1] == "ab");
+    CHECK(catalog.find("nothing") == nullptr);
+    const Catalog moved = std::move(catalog);
     CHECK(moved.find("basket") == first);
 }
 

@@ -12,9 +12,9 @@ namespace {
 
 /// One node of every type a scene may hold, each alone at the top level.
 Scene one_of_each() {
-    static const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
-    Scene scene(catalogue);
-    for (const NodeType& type : catalogue->types())
+    static const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
+    Scene scene(catalog);
+    for (const NodeType& type : catalog->types())
         if (type.meta.kind != NodeKind::record) scene.add(type);
     scene.add_material("rubber");
     return scene;
@@ -50,7 +50,7 @@ TEST_CASE("every default value is in contract") {
         for (std::size_t i = 0; i < node.fields.size(); ++i) {
             INFO(node.type->fields[i].key);
             if (!node.type->fields[i].meta.required)
-                CHECK_FALSE(refuse(scene, {id, static_cast<int>(i), node.fields[i].value, false}));
+                CHECK_FALSE(why_invalid(scene, {id, static_cast<int>(i), node.fields[i].value, false}));
         }
     }
 }
@@ -66,7 +66,7 @@ TEST_CASE("edits applied and taken back leave the scene bit for bit as it was") 
         const auto index = rng.next_u64() % node.fields.size();
         const Edit edit{node.id, static_cast<int>(index), some_value(node.type->fields[index], rng),
                         rng.uniform() < 0.8};
-        if (refuse(scene, edit)) continue;
+        if (why_invalid(scene, edit)) continue;
         const Edit inverse = apply(scene, edit);
         CHECK(identical(node.fields[index].value, edit.value));
         CHECK_FALSE(broken_contract(node));
@@ -83,16 +83,16 @@ TEST_CASE("what a field cannot hold is refused with a reason") {
     const Node& circle = *scene.find("circle[0]");
     const int radius = field(circle, "radius");
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    CHECK(refuse(scene, {circle.id, radius, 0.0, true}) == "radius must be above 0 m");
-    CHECK(refuse(scene, {circle.id, radius, nan, true}));
-    CHECK(refuse(scene, {circle.id, radius, infinity, true}));
-    CHECK(refuse(scene, {circle.id, radius, std::string("big"), true}));
-    CHECK(refuse(scene, {circle.id, -1, 1.0, true}));
-    CHECK(refuse(scene, {circle.id, 99, 1.0, true}));
-    CHECK(refuse(scene, {NodeId{}, radius, 1.0, true}) == "the node no longer exists");
-    CHECK(refuse(scene, {circle.id, field(circle, "flip"), std::string("z"), true}));
+    CHECK(why_invalid(scene, {circle.id, radius, 0.0, true}) == "radius must be above 0 m");
+    CHECK(why_invalid(scene, {circle.id, radius, nan, true}));
+    CHECK(why_invalid(scene, {circle.id, radius, infinity, true}));
+    CHECK(why_invalid(scene, {circle.id, radius, std::string("big"), true}));
+    CHECK(why_invalid(scene, {circle.id, -1, 1.0, true}));
+    CHECK(why_invalid(scene, {circle.id, 99, 1.0, true}));
+    CHECK(why_invalid(scene, {NodeId{}, radius, 1.0, true}) == "the node no longer exists");
+    CHECK(why_invalid(scene, {circle.id, field(circle, "flip"), std::string("z"), true}));
     const Node& box = *scene.find("box[0]");
-    CHECK(refuse(scene, {box.id, field(box, "round"), 1.0, true}));
+    CHECK(why_invalid(scene, {box.id, field(box, "round"), 1.0, true}));
 }
 
 TEST_CASE("an id that another node has is refused, one's own is not") {
@@ -101,8 +101,8 @@ TEST_CASE("an id that another node has is refused, one's own is not") {
     const int id = field(*scene.find(circle), "id");
     apply(scene, {circle, id, std::string("pop"), true});
     CHECK(scene.find("pop")->id == circle);
-    CHECK(refuse(scene, {box, field(*scene.find(box), "id"), std::string("pop"), true}) == "the id pop is taken");
-    CHECK_FALSE(refuse(scene, {circle, id, std::string("pop"), true}));
+    CHECK(why_invalid(scene, {box, field(*scene.find(box), "id"), std::string("pop"), true}) == "the id pop is taken");
+    CHECK_FALSE(why_invalid(scene, {circle, id, std::string("pop"), true}));
     const Edit back = apply(scene, {circle, id, std::string(), false});
     CHECK(scene.find("pop") == nullptr);
     apply(scene, back);

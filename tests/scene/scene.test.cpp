@@ -10,13 +10,13 @@ using namespace pinfield;
 
 namespace {
 
-std::shared_ptr<const Catalogue> catalogue() {
-    static const auto shared = std::make_shared<const Catalogue>(built_in_catalogue());
+std::shared_ptr<const Catalog> catalog() {
+    static const auto shared = std::make_shared<const Catalog>(built_in_catalog());
     return shared;
 }
 
 Node& add(Scene& scene, std::string_view type, NodeId parent = {}, const std::string& id = {}) {
-    Node& node = scene.add(*catalogue()->find(type), parent);
+    Node& node = scene.add(*catalog()->find(type), parent);
     if (!id.empty()) {
         apply(scene, {node.id, *node.type->find_field("id"), id, true});
     }
@@ -30,7 +30,7 @@ void set(Scene& scene, NodeId id, std::string_view key, const Value& value) {
 }  // namespace
 
 TEST_CASE("a node is found by its id, else by its path among siblings of its type") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId box = add(scene, "box").id, first = add(scene, "union").id, second = add(scene, "union").id;
     const NodeId inner = add(scene, "circle", second).id, named = add(scene, "circle", second, "pop").id;
     CHECK(scene.path(box) == "box[0]");
@@ -48,14 +48,14 @@ TEST_CASE("a node is found by its id, else by its path among siblings of its typ
 }
 
 TEST_CASE("all ids come in file order, parents before children") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId a = add(scene, "union").id, b = add(scene, "circle").id, c = add(scene, "box", a).id;
     const NodeId material = scene.add_material("rubber").id;
     CHECK(scene.all() == std::vector<NodeId>{scene.table().id, scene.physics().id, material, a, c, b});
 }
 
 TEST_CASE("a node without a material of its own has its nearest ancestor's, else the default") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId outer = add(scene, "union").id, middle = add(scene, "union", outer).id,
                  leaf = add(scene, "circle", middle).id;
     CHECK(scene.material_name(leaf) == "default");
@@ -67,9 +67,9 @@ TEST_CASE("a node without a material of its own has its nearest ancestor's, else
 }
 
 TEST_CASE("a re-read scene keeps the ids of nodes known by id or by path, and shares none with strangers") {
-    Scene before(catalogue());
+    Scene before(catalog());
     const NodeId pop = add(before, "bumper", {}, "pop").id, box = add(before, "box").id;
-    Scene after(catalogue());
+    Scene after(catalog());
     add(after, "circle");  // new, in front
     add(after, "box");
     add(after, "bumper", {}, "pop");
@@ -90,7 +90,7 @@ TEST_CASE("a re-read scene keeps the ids of nodes known by id or by path, and sh
 }
 
 TEST_CASE("a name taken by a node of another type is a new node") {
-    Scene before(catalogue()), after(catalogue());
+    Scene before(catalog()), after(catalog());
     const NodeId old_pop = add(before, "bumper", {}, "pop").id;
     add(after, "circle", {}, "pop");
     after.keep_ids_of(before);
@@ -98,7 +98,7 @@ TEST_CASE("a name taken by a node of another type is a new node") {
 }
 
 TEST_CASE("scenes are the same when every bit of every value is") {
-    Scene a(catalogue()), b(catalogue());
+    Scene a(catalog()), b(catalog());
     set(a, add(a, "circle").id, "turn", 0.0);
     set(b, add(b, "circle").id, "turn", 0.0);
     CHECK(a.same_content(b));
@@ -110,7 +110,7 @@ TEST_CASE("scenes are the same when every bit of every value is") {
 }
 
 TEST_CASE("flipping x is flipping y and half a turn") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId id = add(scene, "box").id;
     set(scene, id, "turn", 30.0);
     set(scene, id, "at", Vec2(1, 2));
@@ -123,7 +123,7 @@ TEST_CASE("flipping x is flipping y and half a turn") {
 }
 
 TEST_CASE("a node's frame is the product of its ancestors'") {
-    Scene scene(catalogue());
+    Scene scene(catalog());
     const NodeId outer = add(scene, "group").id, inner = add(scene, "circle", outer).id;
     set(scene, outer, "at", Vec2(1, 0));
     set(scene, outer, "turn", 90.0);

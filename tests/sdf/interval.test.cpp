@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/sdf/dual.h"
 #include "engine/sdf/interval_dual.h"
@@ -20,7 +21,7 @@ R random_formula(const R& x, const R& y, std::uint64_t seed) {
     CounterRng rng(seed);
     std::vector<R> terms{x, y, R(0.5), R(-2)};
     for (int step = 0; step < 8; ++step) {
-        const auto any = [&] { return terms[static_cast<std::size_t>(rng.in(0, static_cast<double>(terms.size())))]; };
+        const auto any = [&] { return at(terms, rng.in(0, static_cast<double>(terms.size()))); };
         const R a = any(), b = any(), c = any();
         switch (static_cast<int>(rng.in(0, 14))) {
             case 0: terms.push_back(a + b); break;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/sdf/operations/complement.h"
 #include "engine/sdf/operations/difference.h"
@@ -193,7 +194,7 @@ TEST_CASE("every smooth operation hands its family and its steps on") {
     for (int i = 0; i < 7; ++i)
         for (const int steps : {1, 3, 6}) {
             const auto family = static_cast<BlendFamily>(i);
-            CAPTURE(choice_names(family)[static_cast<std::size_t>(i)], steps);
+            CAPTURE(at(choice_names(family), i), steps);
             for (const double a : {-0.012, 0.0, 0.003})
                 for (const double b : {-0.009, 0.001}) {
                     CHECK(SmoothUnion<double>{k, family, steps}.combine(a, b) == smooth_min(a, b, k, family, steps));

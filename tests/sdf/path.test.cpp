@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "engine/core/at.h"
 #include "engine/sdf/nodes/arc.h"
 #include "engine/sdf/nodes/capsule.h"
 #include "engine/sdf/nodes/cubic_bezier.h"
@@ -28,7 +29,7 @@ Path<double> path_of(const std::vector<double>& xy, const Pieces& pieces, bool f
 
 std::string names_of(const Pieces& pieces) {
     std::string out;
-    for (const double piece : pieces) out += std::string(choice_names(PathPiece{})[static_cast<std::size_t>(piece)]) + ' ';
+    for (const double piece : pieces) out += std::string(at(choice_names(PathPiece{}), piece)) + ' ';
     return out;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/physics/world.h"
 #include "engine/program/parts.h"
+#include "engine/scene/parts/flipper.h"
 
 namespace pinfield {
 

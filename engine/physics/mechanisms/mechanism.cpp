@@ -1,16 +1,19 @@
 #include "engine/physics/mechanisms/mechanism.h"
 
+#include "engine/core/at.h"
 #include "engine/physics/mechanisms/flipper.h"
 #include "engine/physics/mechanisms/plunger.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/parts.h"
+#include "engine/scene/parts/bumper.h"
+#include "engine/scene/parts/drain.h"
 
 namespace pinfield {
 
 namespace {
 
 const Part& part_of(const Program& program, int mover) {
-    return program.parts[static_cast<std::size_t>(program.movers[static_cast<std::size_t>(mover)].part)];
+    return at(program.parts, at(program.movers, mover).part);
 }
 
 }  // namespace
@@ -44,7 +47,7 @@ void hit_end_stop(const Program& program, int mover, MoverState& state, double s
 }
 
 double mover_reach(const Program& program, int mover, const MoverState& state) {
-    const double lever = program.movers[static_cast<std::size_t>(mover)].lever;
+    const double lever = at(program.movers, mover).bounding_radius;
     return state.rotates ? lever : lever + std::max(std::fabs(state.q_min), std::fabs(state.q_max));
 }
 
@@ -55,7 +58,7 @@ double kick_of(const Part& part, double speed) {
 }
 
 bool drains(const Program& program, const Sensor& sensor, const Vec2& centre) {
-    if (!program.parts[static_cast<std::size_t>(sensor.part)].is<parts::Drain>()) return false;
+    if (!at(program.parts, sensor.part).is<parts::Drain>()) return false;
     return nearest(sensor.field, centre, ~LayerMask{0}).distance < 0;
 }
 

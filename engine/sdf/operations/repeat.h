@@ -33,12 +33,14 @@ struct Repeat {
         return operation<Repeat>(
             {.key = "repeat", .exactness = {.inside = Side::bound}, .children = {1, 1}, .doc = "A grid of copies of the child."},
             fields(field("count", &Repeat::count,
-                         {.min = from(1), .max = to(most_copies), .step = 1, .doc = "Columns and rows: whole numbers."}),
+                         {.min = from(1),
+                          .max = to(most_copies),
+                          .step = 1,
+                          .meaning = Meaning::count,
+                          .doc = "Columns and rows: whole numbers."}),
                    field("step", &Repeat::step, {.unit = Unit::metre, .step = 0.001, .doc = "From one column, and one row, to the next."})),
             contract("whole numbers of columns and rows",
-                     [](const auto& r) {
-                         return r.count.x == static_cast<int>(r.count.x) && r.count.y == static_cast<int>(r.count.y);
-                     }),
+                     [](const auto& r) { return r.count.x == static_cast<int>(r.count.x) && r.count.y == static_cast<int>(r.count.y); }),
             contract("at most 1024 copies", [](const auto& r) { return r.count.x * r.count.y <= most_copies; }));
     }
 };

@@ -33,8 +33,9 @@ struct RepeatPolar {
              .exactness = {.inside = Side::bound},
              .children = {1, 1},
              .doc = "Copies of the child at equal angles about the local origin."},
-            fields(field("count", &RepeatPolar::count,
-                         {.min = from(1), .max = to(360), .step = 1, .doc = "How many, the child itself included."})));
+            fields(field(
+                "count", &RepeatPolar::count,
+                {.min = from(1), .max = to(360), .step = 1, .meaning = Meaning::count, .doc = "How many, the child itself included."})));
     }
 };
 

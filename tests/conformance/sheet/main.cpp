@@ -32,24 +32,24 @@ T value_or_stop(Result<T> result) {
 
 std::string example_of(const NodeType& type) { return fmt::format("{}scenes/nodes/{}.yaml", root, type.key()); }
 
-std::vector<const NodeType*> measured_types(const Catalogue& catalogue) {
+std::vector<const NodeType*> measured_types(const Catalog& catalog) {
     std::vector<const NodeType*> out;
-    for (const NodeType& type : catalogue.types())
+    for (const NodeType& type : catalog.types())
         if (type.kernels) out.push_back(&type);
     return out;
 }
 
 /// All files of the folder that are text, by name.
-std::map<std::string, std::string> sheet(const Catalogue& catalogue, const Timings& timings) {
+std::map<std::string, std::string> sheet(const Catalog& catalog, const Timings& timings) {
     std::vector<Entry> entries;
-    for (const NodeType* type : measured_types(catalogue)) {
+    for (const NodeType* type : measured_types(catalog)) {
         if (!fs::exists(root + header_of(*type))) value_or_stop<bool>(failure(header_of(*type) + " does not exist"));
         const auto timing = timings.find(type->key());
         const int sets = type->meta.kind == NodeKind::shape ? shape_sets : operation_sets;
-        entries.push_back({type, measure(catalogue, *type, sets), timing == timings.end() ? Timing{} : timing->second,
+        entries.push_back({type, measure(catalog, *type, sets), timing == timings.end() ? Timing{} : timing->second,
                            value_or_stop(read_file(example_of(*type)))});
     }
-    std::map<std::string, std::string> files{{"README.md", index_of(entries)}, {"timings.csv", csv_of(catalogue, timings)}};
+    std::map<std::string, std::string> files{{"README.md", index_of(entries)}, {"timings.csv", csv_of(catalog, timings)}};
     for (const Entry& entry : entries) files.emplace(fmt::format("{}.md", entry.type->key()), page_of(entry));
     return files;
 }
@@ -57,9 +57,9 @@ std::map<std::string, std::string> sheet(const Catalogue& catalogue, const Timin
 Timings timings_of(const std::string& folder) { return value_or_stop(read_timings(value_or_stop(read_file(folder + "/timings.csv")))); }
 
 /// Those that are not known yet.
-void add_timings(const Catalogue& catalogue, Timings& timings) {
-    for (const NodeType* type : measured_types(catalogue))
-        if (!timings.contains(type->key())) timings.emplace(type->key(), time_of(catalogue, *type));
+void add_timings(const Catalog& catalog, Timings& timings) {
+    for (const NodeType* type : measured_types(catalog))
+        if (!timings.contains(type->key())) timings.emplace(type->key(), time_of(catalog, *type));
 }
 
 /// Where two texts first differ, for the person who wonders why.
@@ -74,9 +74,9 @@ std::string first_difference(const std::string& now, const std::string& before) 
     }
 }
 
-bool is_fresh(const std::shared_ptr<const Catalogue>& catalogue, const std::string& folder) {
+bool is_fresh(const std::shared_ptr<const Catalog>& catalog, const std::string& folder) {
     std::set<std::string> stale;
-    const auto files = sheet(*catalogue, timings_of(folder));
+    const auto files = sheet(*catalog, timings_of(folder));
     for (const auto& [name, text] : files) {
         const auto path = fmt::format("{}/{}", folder, name);
         const std::string before = fs::exists(path) ? value_or_stop(read_file(path)) : "";
@@ -90,7 +90,7 @@ bool is_fresh(const std::shared_ptr<const Catalogue>& catalogue, const std::stri
         fmt::print("{} belongs to no node\n", file.path().string());
         stale.insert(name.string());
     }
-    for (const NodeType* type : measured_types(*catalogue))
+    for (const NodeType* type : measured_types(*catalog))
         if (const auto picture = fmt::format("{}/{}.png", folder, type->key()); !fs::exists(picture)) {
             fmt::print("{} is missing\n", picture);
             stale.insert(picture);
@@ -99,15 +99,15 @@ bool is_fresh(const std::shared_ptr<const Catalogue>& catalogue, const std::stri
     return stale.empty();
 }
 
-void write(const std::shared_ptr<const Catalogue>& catalogue, const std::string& folder, bool keep_timings) {
+void write(const std::shared_ptr<const Catalog>& catalog, const std::string& folder, bool keep_timings) {
     fs::create_directories(folder);
     Timings timings = keep_timings ? timings_of(folder) : Timings{};
-    add_timings(*catalogue, timings);
+    add_timings(*catalog, timings);
     // Through the file's own rounding, so that a check reads what the pages say.
-    const Timings rounded = value_or_stop(read_timings(csv_of(*catalogue, timings)));
-    for (const auto& [name, text] : sheet(*catalogue, rounded)) value_or_stop(write_file(fmt::format("{}/{}", folder, name), text));
-    for (const NodeType* type : measured_types(*catalogue))
-        value_or_stop(draw_example(example_of(*type), catalogue, fmt::format("{}/{}.png", folder, type->key())));
+    const Timings rounded = value_or_stop(read_timings(csv_of(*catalog, timings)));
+    for (const auto& [name, text] : sheet(*catalog, rounded)) value_or_stop(write_file(fmt::format("{}/{}", folder, name), text));
+    for (const NodeType* type : measured_types(*catalog))
+        value_or_stop(draw_example(example_of(*type), catalog, fmt::format("{}/{}.png", folder, type->key())));
 }
 
 }  // namespace
@@ -122,8 +122,8 @@ int main(int argc, char** argv) {
     app.require_option();
     CLI11_PARSE(app, argc, argv);
 
-    const auto catalogue = std::make_shared<const Catalogue>(built_in_catalogue());
-    if (!checked.empty()) return is_fresh(catalogue, checked) ? 0 : 1;
-    write(catalogue, out, keep_timings);
+    const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
+    if (!checked.empty()) return is_fresh(catalog, checked) ? 0 : 1;
+    write(catalog, out, keep_timings);
     return 0;
 }

@@ -155,7 +155,7 @@ double floor_of(Reference reference) {
     }
 }
 
-Measure measure(const Catalogue& catalogue, const NodeType& type, int random_sets) {
+Measure measure(const Catalog& catalog, const NodeType& type, int random_sets) {
     CounterRng rng(2024);
     std::vector<Values> sets{defaults_of(type)};
     if (type.own_fields > 0)
@@ -163,7 +163,7 @@ Measure measure(const Catalogue& catalogue, const NodeType& type, int random_set
     Measure out;
     std::uint64_t seed = 1;
     for (const Values& values : sets)
-        for (const Subject& subject : subjects_of(catalogue, type, values)) measure_subject(subject, ++seed, out);
+        for (const Subject& subject : subjects_of(catalog, type, values)) measure_subject(subject, ++seed, out);
     return out;
 }
 

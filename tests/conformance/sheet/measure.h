@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 
 namespace pinfield::conformance {
 
@@ -34,6 +34,6 @@ struct Measure {
 
 /// The defaults and `random_sets` random sets of parameters; an operation over several sets of children each. The same numbers in
 /// every build, but for rounding.
-Measure measure(const Catalogue& catalogue, const NodeType& type, int random_sets);
+Measure measure(const Catalog& catalog, const NodeType& type, int random_sets);
 
 }  // namespace pinfield::conformance

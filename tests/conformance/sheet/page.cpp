@@ -83,7 +83,7 @@ std::string index_table(std::span<const Entry> entries, NodeKind kind) {
 
 constexpr std::string_view how_to_read = R"(# The conformance sheet
 
-What every shape and operation of the catalogue claims, and what was measured of it. All of this folder is generated:
+What every shape and operation of the catalog claims, and what was measured of it. All of this folder is generated:
 
 ```sh
 build/release/bin/conformance_sheet --out docs/nodes      # --keep-timings: all but the nanoseconds

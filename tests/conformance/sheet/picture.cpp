@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/at.h"
 #include "engine/io/load_table.h"
 #include "engine/io/png.h"
 #include "engine/program/compile.h"
@@ -23,7 +24,7 @@ std::vector<unsigned char> shrunk(const std::vector<unsigned char>& fine) {
                 int sum = 0;
                 for (int j = 0; j < samples; ++j)
                     for (int i = 0; i < samples; ++i)
-                        sum += fine[static_cast<std::size_t>(3 * ((y * samples + j) * pixels * samples + x * samples + i) + channel)];
+                        sum += at(fine, 3 * ((y * samples + j) * pixels * samples + x * samples + i) + channel);
                 const int mean = (sum + samples * samples * levels / 2) / (samples * samples * levels) * levels;
                 out.push_back(static_cast<unsigned char>(std::min(mean, 255)));
             }
@@ -32,8 +33,8 @@ std::vector<unsigned char> shrunk(const std::vector<unsigned char>& fine) {
 
 }  // namespace
 
-Result<bool> draw_example(const std::string& scene_path, const std::shared_ptr<const Catalogue>& catalogue, const std::string& png_path) {
-    const Result<LoadedTable> table = load_table(scene_path, catalogue);
+Result<bool> draw_example(const std::string& scene_path, const std::shared_ptr<const Catalog>& catalog, const std::string& png_path) {
+    const Result<LoadedTable> table = load_table(scene_path, catalog);
     if (!table) return tl::unexpected(table.error());
     if (!table->ok()) return failure(scene_path + " has errors: see `pinfield check`");
     const auto program = compile(table->scene);

@@ -4,11 +4,11 @@
 #include <string>
 
 #include "engine/core/result.h"
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 
 namespace pinfield::conformance {
 
 /// Draws a square table from its file into a PNG.
-Result<bool> draw_example(const std::string& scene_path, const std::shared_ptr<const Catalogue>& catalogue, const std::string& png_path);
+Result<bool> draw_example(const std::string& scene_path, const std::shared_ptr<const Catalog>& catalog, const std::string& png_path);
 
 }  // namespace pinfield::conformance

@@ -17,15 +17,15 @@ using namespace sdf::faulty;
 
 template <template <class> class N>
 Measure measured() {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
-    return measure(catalogue, catalogue.add(sdf::sdf_node_type<N>()), 0);
+    Catalog catalog;
+    sdf::add_built_in(catalog);
+    return measure(catalog, catalog.add(sdf::sdf_node_type<N>()), 0);
 }
 
 Measure measured(const char* key) {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
-    return measure(catalogue, *catalogue.find(key), 0);
+    Catalog catalog;
+    sdf::add_built_in(catalog);
+    return measure(catalog, *catalog.find(key), 0);
 }
 
 }  // namespace
@@ -119,16 +119,16 @@ TEST_CASE("errors are told by one digit, rounded up") {
 }
 
 TEST_CASE("timings go through their file") {
-    Catalogue catalogue;
-    sdf::add_built_in(catalogue);
+    Catalog catalog;
+    sdf::add_built_in(catalog);
     const Timings timings{{"circle", {12.34, 0.567, "avx2"}}, {"mirror", {}}};
-    const auto back = read_timings(csv_of(catalogue, timings));
+    const auto back = read_timings(csv_of(catalog, timings));
     REQUIRE(back);
     CHECK(back->at("circle").in_double == 12.0);
     CHECK(back->at("circle").in_packets == 0.6);
     CHECK(back->at("circle").isa == "avx2");
     CHECK(!back->at("mirror").in_double);
-    CHECK(csv_of(catalogue, *back) == csv_of(catalogue, timings));
+    CHECK(csv_of(catalog, *back) == csv_of(catalog, timings));
     CHECK(!read_timings("node,other\n"));
     CHECK(!read_timings("node,double ns,packet ns,instruction set\ncircle,fast,1,avx2\n"));
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <vector>
 
+#include "engine/core/at.h"
 #include "engine/core/numbers.h"
 #include "engine/core/rng.h"
 #include "tests/conformance/parameters.h"
@@ -81,7 +82,7 @@ std::optional<double> time_in_double(const Subject& subject, const Input& in) {
 
 /// Kernels that change their input get a fresh copy each time, whose cost is small: over and over again, a stretch would end in denormals.
 std::optional<double> time_in_packets(const Subject& subject, const Input& in, sdf::Isa isa) {
-    const sdf::PacketKernels& k = subject.kernels().packets[static_cast<std::size_t>(isa)];
+    const sdf::PacketKernels& k = at(subject.kernels().packets, isa);
     std::vector<float> a = in.float_a, b = in.float_b, out(count);
     if (k.distance) return nanoseconds([&] { k.distance(subject.params(), {}, a.data(), b.data(), out.data(), count); });
     if (k.combine)
@@ -105,20 +106,20 @@ std::string number(const std::optional<double>& ns) {
 
 }  // namespace
 
-Timing time_of(const Catalogue& catalogue, const NodeType& type) {
-    const Subject subject = subjects_of(catalogue, type, defaults_of(type)).front();
+Timing time_of(const Catalog& catalog, const NodeType& type) {
+    const Subject subject = subjects_of(catalog, type, defaults_of(type)).front();
     const Input in = input_of(subject);
     sdf::Isa isa = sdf::best_isa();
-    const sdf::PacketKernels& best = subject.kernels().packets[static_cast<std::size_t>(isa)];
+    const sdf::PacketKernels& best = at(subject.kernels().packets, isa);
     if (!best.distance && !best.combine && !best.warp) isa = sdf::Isa::sse2;
     Timing out{time_in_double(subject, in), time_in_packets(subject, in, isa), {}};
     if (out.in_packets) out.isa = isa == sdf::Isa::avx2 ? "avx2" : "sse2";
     return out;
 }
 
-std::string csv_of(const Catalogue& catalogue, const Timings& timings) {
+std::string csv_of(const Catalog& catalog, const Timings& timings) {
     std::string out = fmt::format("{}\n", head);
-    for (const NodeType& type : catalogue.types())
+    for (const NodeType& type : catalog.types())
         if (const auto found = timings.find(type.key()); found != timings.end())
             out += fmt::format("{},{},{},{}\n", type.key(), number(found->second.in_double),
                                number(found->second.in_packets), found->second.isa);

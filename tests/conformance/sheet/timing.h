@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "engine/core/result.h"
-#include "engine/reflect/catalogue.h"
+#include "engine/reflect/catalog.h"
 
 namespace pinfield::conformance {
 
@@ -18,12 +18,12 @@ struct Timing {
     std::string isa;  ///< of the packets
 };
 /// Median over several batches, in this process' own time, at the node's defaults.
-Timing time_of(const Catalogue& catalogue, const NodeType& type);
+Timing time_of(const Catalog& catalog, const NodeType& type);
 
 /// Timings differ from run to run, so that they are kept in a file of their own: pages are written from it, and are stale or fresh
 /// whatever the machine.
 using Timings = std::map<std::string, Timing, std::less<>>;
-std::string csv_of(const Catalogue& catalogue, const Timings& timings);
+std::string csv_of(const Catalog& catalog, const Timings& timings);
 Result<Timings> read_timings(const std::string& csv);
 
 }  // namespace pinfield::conformance
