@@ -32,7 +32,7 @@ public:
     bool done() const { return !failure_.empty() || index_ >= script_.steps.size(); }
     /// "steps.yaml:4:3: step 2 (expect): why"; empty while all is well.
     const std::string& failure() const { return failure_; }
-    /// Does what is due before the next frame and tells how many ticks that frame is to advance. Steps that need no frame of their
+    /// Does what is due before the next frame and returns how many ticks that frame is to advance. Steps that need no frame of their
     /// own are done at once; a drag, a key and a wait take several.
     int before_frame(AppState& state, ScriptHost& host);
 

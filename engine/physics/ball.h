@@ -12,8 +12,8 @@ enum class BallState : unsigned char {
     rolling,
     resting,      ///< in contact and still: its bits do not change
     drained,      ///< out of play until put back
-    quarantined,  ///< not finite: taken out of the simulation, an event tells
-    jammed        ///< pinched by a mover that does not yield: it stood still for the tick, an event tells when that begins
+    quarantined,  ///< not finite: taken out of the simulation, with an event
+    jammed        ///< pinched by a mover that does not yield: it stood still for the tick; an event when that begins
 };
 
 struct Ball {

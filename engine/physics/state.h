@@ -32,7 +32,7 @@ struct BallWork {
     Contact slide;               ///< the surface on which it last stopped bouncing
     std::int64_t slide_tick = -2;
     bool follows = false;        ///< its path bends with something round that it rolls over
-    bool embedded = false;       ///< an edit put it into a solid: it is being let out
+    bool embedded = false;       ///< an edit put it into a solid, and it is being moved out
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
     bool waiting = false;        ///< to be put back as soon as no mover stands where it starts
 };

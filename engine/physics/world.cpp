@@ -47,7 +47,7 @@ std::vector<double> places(const WorldState& w) {
     return q;
 }
 
-/// A ball that overlaps something is let out over the next ticks.
+/// A ball that overlaps something is moved out over the next ticks.
 void check_embedded(WorldState& w, std::size_t i) {
     const double r = w.physics.ball_radius;
     const Gap gap = gap_at(w.program(), places(w), w.balls[i].position, w.balls[i].layer, 2 * r);

@@ -80,7 +80,7 @@ public:
     void set_ball(BallId ball, const Vec2& position, const Vec2& velocity);
 
     /// Swaps in an edited program at this step boundary: balls keep rolling, movers keep their state, a ball that now sits in
-    /// a solid is let out along the gradient at bounded speed, without energy.
+    /// a solid is moved out along the gradient at bounded speed, without energy.
     void set_program(ProgramPtr program);
 
     const Program& program() const;

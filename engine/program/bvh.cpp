@@ -103,7 +103,7 @@ private:
         split(left + 1, first + left_count, count - left_count, depth + 1);
     }
 
-    /// Reorders the entries so that those of the left child come first, each side in its old order; tells how many they
+    /// Reorders the entries so that those of the left child come first, each side in its old order; returns how many they
     /// are. Halves the list by position where bins cannot tell the entries apart or the tree grows too deep.
     std::size_t partition(const Extent& centres, std::size_t first, std::size_t count, int depth) {
         const double spread[] = {centres.hi[0] - centres.lo[0], centres.hi[1] - centres.lo[1]};

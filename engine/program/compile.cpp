@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_layers = 32;
 
-/// Tells the index of the solid, or -1 when the node has no shape.
+/// Returns the index of the solid, or -1 when the node has no shape.
 int add_static_solid(CompileContext& context, const Item& item, int part, Program& program) {
     Field solid = compile_solid(context, item, world_from_local(context.scene, item.node));
     for (Solid& s : solid.solids) s.part = part;

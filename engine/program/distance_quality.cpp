@@ -19,8 +19,8 @@ void for_each_field(const Program& program, F&& tell) {
     for (const Sensor& sensor : program.sensors) tell(sensor.field);
 }
 
-/// Tells node and trust of every op. A node may have several: what it implies (a part's union, a domain's complement) comes after what
-/// it was made of, and what is known of its boundary last, so that the last telling counts.
+/// Calls tell(node, quality) for every op. A node may have several: what it implies (a part's union, a domain's complement) comes after
+/// what it was made of, and what is known of its boundary last, so that the last call counts.
 template <class F>
 void for_each_quality(const Field& field, F&& tell) {
     for (const Op& op : field.ops) {

@@ -40,7 +40,7 @@ Nearest surface(const Field& field, int piece, const Vec2& p, bool inside_at_end
 }
 
 /// Is the value the true distance? Walk it along the gradient and a hair further: if the surface was crossed by then it
-/// is no farther, and as a bound it is no nearer (the foot-point certificate of SDF_CATALOGUE 2.4, by sign).
+/// is no farther, and as a bound it is no nearer.
 bool is_certified(const Field& field, const Op& root, int op, const Vec2& p, const sdf::Sample& s) {
     if ((s.value < 0 ? root.exactness.inside : root.exactness.outside) == Side::exact) return true;
     const double slack = certificate_slack * (1 + std::fabs(s.value) + p.cwiseAbs().maxCoeff());

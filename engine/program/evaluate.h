@@ -14,7 +14,7 @@ struct Nearest {
 };
 
 /// Signed distance to the union of the solids of these layers: the minimum over solids of each one's distance, which is exact for
-/// solids of lines and arcs and where the formula's side is exact or its foot point certifies it (SDF_CATALOGUE 2.4), and within 1e-9
+/// solids of lines and arcs and where the formula's side is exact or its foot point certifies it, and within 1e-9
 /// of its size for what was traced. Outside every solid the minimum is certified where the nearest solid's value is: the others' are
 /// bounds, so none of them can truly be nearer. Inside, the greatest depth is certified where that solid's is and the way out ends in
 /// the open.
@@ -37,7 +37,7 @@ Exit exit_of(const Nearest& nearest, const Vec2& p);
 /// Signed distance to one solid alone.
 Nearest nearest_of_solid(const Field& field, int solid, const Vec2& p);
 
-/// Raw value and gradient of an op's tree: what its formula says, exact or only a bound as op.exactness tells.
+/// Raw value and gradient of an op's tree: what its formula says, exact or only a bound: op.exactness says which.
 /// `leaf` receives the winning leaf: the one of the greatest blend weight, the first of equals.
 sdf::Sample evaluate_tree(const Field& field, int op, const Vec2& p, int* leaf = nullptr);
 
@@ -53,7 +53,7 @@ std::vector<BlendWeight> blend_weights(const Field& field, int op, const Vec2& p
 /// Distance from p to a boundary piece, unsigned, with the foot point.
 double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot);
 
-/// A solid to ask in packets. Where a packed outline (outline_distance.h) is given it tells how far, and the formula only on which side.
+/// A solid to ask in packets. Where a packed outline (outline_distance.h) is given, it says how far, and the formula only on which side.
 struct PacketSolid {
     int solid = 0;
     const double* outline = nullptr;

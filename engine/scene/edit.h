@@ -1,4 +1,4 @@
-// An edit of the scene as a value, its inverse, and the history made of them.
+// An edit of the scene as a value, and its inverse.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace pinfield {
 
-/// Sets one field of one node (or record) to a value; `is_explicit` tells whether the author's text is to say it.
+/// Sets one field of one node (or record) to a value; `is_explicit` says whether the author's text is to say it.
 struct Edit {
     NodeId node;
     int field = 0;  ///< index into the node type's fields

@@ -1,4 +1,4 @@
-// Flippers and plungers: the figures of TABLE_FORMAT.md, and the laws of impact with them.
+// Flippers and plungers: the times and speeds that their defaults promise, and the laws of impact with them.
 #include "engine/core/trig.h"
 #include "tests/physics/support.h"
 

@@ -1,4 +1,5 @@
-// What the parts on a table do inside the tick: the reflexes. One file per part; this header is what the World knows of them.
+// What the parts on a table do inside the tick: the reflexes. Flippers and plungers have a file
+// each; what bumpers and drains do is a line of mechanism.cpp. This header is what the World knows of them.
 #pragma once
 #include <span>
 

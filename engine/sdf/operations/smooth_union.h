@@ -9,7 +9,7 @@
 
 namespace pinfield::sdf {
 
-/// The union of the children, their joints filled as if with goo; folded in file order.
+/// The union of the children, the corners between them filled smoothly; folded in file order.
 template <class Real>
 struct SmoothUnion {
     Real k = Real(0.005);
