@@ -44,7 +44,7 @@ ExitCode run(int argc, char** argv) {
     CLI::App app("Pinfield: pinball tables of signed distance fields, without a window.", "pinfield");
     app.set_version_flag("--version", "pinfield " PINFIELD_VERSION);
     app.require_subcommand(1);
-    app.footer("ExitCode codes: 0 fine, 1 the table is wrong or a test failed, 2 wrong usage, 3 a file or device failed.");
+    app.footer("Exit codes: 0 fine, 1 the table is wrong or a test failed, 2 wrong usage, 3 a file or device failed.");
     ExitCode exit = ExitCode::fine;
     add_commands(app, exit);
     try {
