@@ -10,6 +10,7 @@
 #include "editor/starter_table.h"
 #include "engine/core/at.h"
 #include "engine/io/files.h"
+#include "engine/io/same_content.h"
 #include "engine/io/table_reader.h"
 #include "engine/io/text_patch.h"
 
@@ -29,7 +30,7 @@ Document Document::untitled(std::shared_ptr<const Catalog> catalog) {
     Document document;
     document.catalog_ = std::move(catalog);
     document.disk_text_ = starter_table;  // nobody's work is lost with it
-    document.take_text(document.named(std::string(starter_table)), nullptr);
+    document.take(read_table(document.named(std::string(starter_table)), document.catalog_), nullptr);
     return document;
 }
 
@@ -40,29 +41,26 @@ Result<Document> Document::open(const std::string& path, std::shared_ptr<const C
     document.catalog_ = std::move(catalog);
     document.path_ = path;
     document.disk_text_ = *text;
-    document.take_text(document.named(std::move(*text)), nullptr);
+    document.take(read_table(document.named(std::move(*text)), document.catalog_), nullptr);
     return document;
 }
 
-bool Document::dirty() const { return is_missing() || source_->text() != disk_text_; }
+bool Document::dirty() const { return is_missing() || source().text() != disk_text_; }
 
 std::shared_ptr<const SourceText> Document::named(std::string text) const {
     return std::make_shared<const SourceText>(path_.empty() ? "untitled" : path_, std::move(text));
 }
 
 /// Makes a text the document's own; nodes keep the ids they have in `ids_from`.
-void Document::take_text(std::shared_ptr<const SourceText> source, const Scene* ids_from) {
-    ReadResult reading = read_table(source, catalog_);
+void Document::take(Reading reading, const Scene* ids_from) {
     if (ids_from) reading.scene.keep_ids_of(*ids_from);
-    source_ = std::move(source);
-    scene_ = std::make_shared<Scene>(std::move(reading.scene));
-    diagnostics_ = std::move(reading.diagnostics);
+    reading_ = std::make_shared<const Reading>(std::move(reading));
 }
 
 std::optional<std::string> Document::preview(const Edit& edit) {
-    if (auto why = why_invalid(*scene_, edit)) return why;
-    if (!previewing()) before_preview_ = std::make_shared<Scene>(*scene_);
-    apply(*scene_, edit);
+    if (auto why = why_invalid(scene(), edit)) return why;
+    if (!previewed_) previewed_ = std::make_shared<Scene>(reading_->scene);
+    apply(*previewed_, edit);
     const auto known =
         std::find_if(preview_.begin(), preview_.end(), [&](const Edit& other) { return same_field(other, edit); });
     if (known != preview_.end()) *known = edit;
@@ -72,46 +70,28 @@ std::optional<std::string> Document::preview(const Edit& edit) {
 }
 
 void Document::cancel_preview() {
-    if (!previewing()) return;
-    scene_ = std::exchange(before_preview_, nullptr);
+    previewed_.reset();
     for (const Edit& edit : std::exchange(preview_, {})) changes_.push_back({false, edit.node, edit.field});
 }
 
 std::optional<std::string> Document::commit(const std::string& label) {
     if (!previewing()) return {};
-    Step step{label, {}, {}, source_, source_, {}, {}};
-    Scene scene = *before_preview_;
-    for (const Edit& edit : preview_) {
-        if (!changes(scene, edit)) continue;
-        if (auto why = write(edit, scene, step)) {
-            cancel_preview();
-            return why;
-        }
-    }
-    if (step.forward.empty()) {
+    Step step{label, {}, {}, shared_source(), {}, {}, {}};
+    for (const Edit& edit : preview_)
+        if (changes(reading_->scene, edit)) step.forward.push_back(edit);
+    Result<PatchedText> patched = patch_for(*reading_, step.forward);
+    if (!patched || step.forward.empty()) {
         cancel_preview();
-        return {};
+        return patched ? std::nullopt : std::optional(patched.error().message);
     }
-    assert(scene.same_content(*scene_) && "patch_for() hands out patches that read back as the edit");
-    source_ = step.source_after;
-    scene_ = std::make_shared<Scene>(std::move(scene));
+    Scene scene = reading_->scene;
+    for (const Edit& edit : step.forward) step.backward.insert(step.backward.begin(), apply(scene, edit));
+    assert(same_content(patched->reading.scene, *previewed_) && "patch_for() hands out texts that read back as the edits");
+    reading_ = std::make_shared<const Reading>(std::move(patched->reading));
+    step.source_after = shared_source();
+    previewed_.reset();
     preview_.clear();
-    before_preview_.reset();
     push(std::move(step));
-    return {};
-}
-
-/// Adds one edit to a step: its patch to the text and, read back from that, its outcome to the scene.
-std::optional<std::string> Document::write(const Edit& edit, Scene& scene, Step& step) const {
-    if (auto why = why_invalid(scene, edit)) return why;
-    const Result<TextPatch> patch = patch_for(*step.source_after, scene, edit);
-    if (!patch) return patch.error().message;
-    step.source_after = named(apply(*patch, step.source_after->text()));
-    step.forward.push_back(edit);
-    step.backward.insert(step.backward.begin(), apply(scene, edit));
-    ReadResult reading = read_table(step.source_after, catalog_);  // the next patch needs the new places
-    reading.scene.keep_ids_of(scene);
-    scene = std::move(reading.scene);
     return {};
 }
 
@@ -129,17 +109,18 @@ void Document::push(Step step) {
 
 /// Goes to a neighbouring state of the history. `replaced_by`: the scene there, for a step that replaced the whole text.
 void Document::replay(const std::vector<Edit>& edits, std::shared_ptr<const SourceText> source, const Scene* replaced_by) {
+    Reading reading = read_table(std::move(source), catalog_);
     if (replaced_by) {
-        take_text(std::move(source), replaced_by);
+        take(std::move(reading), replaced_by);
         changes_.push_back({true, {}, 0});
         return;
     }
+    Scene ids_from = reading_->scene;
     for (const Edit& edit : edits) {
-        apply(*scene_, edit);
+        apply(ids_from, edit);
         changes_.push_back({false, edit.node, edit.field});
     }
-    const std::shared_ptr<Scene> ids_from = scene_;  // outlives its replacement
-    take_text(std::move(source), ids_from.get());
+    take(std::move(reading), &ids_from);
 }
 
 void Document::undo() {
@@ -162,9 +143,9 @@ const std::string* Document::redo_label() const { return can_redo() ? &history_[
 Result<void> Document::save() {
     if (path_.empty()) return failure("the table has no file yet");
     const std::optional<std::string> expected = is_missing() ? std::nullopt : std::optional(disk_text_);
-    if (const Result<bool> saved = save_file(path_, source_->text(), expected); !saved) return tl::unexpected(saved.error());
-    disk_text_ = source_->text();
-    looks_in_vain_ = 0;
+    if (const Result<bool> saved = save_file(path_, source().text(), expected); !saved) return tl::unexpected(saved.error());
+    disk_text_ = source().text();
+    looks_without_file_ = 0;
     broken_.reset();
     return {};
 }
@@ -172,11 +153,12 @@ Result<void> Document::save() {
 Result<void> Document::save_as(const std::string& path) {
     std::optional<std::string> there;
     if (Result<std::string> text = read_file(path)) there = std::move(*text);
-    if (const Result<bool> saved = save_file(path, source_->text(), there); !saved) return tl::unexpected(saved.error());
+    if (const Result<bool> saved = save_file(path, source().text(), there); !saved) return tl::unexpected(saved.error());
     path_ = path;
-    disk_text_ = source_->text();
-    looks_in_vain_ = 0;
-    source_ = named(disk_text_);
+    disk_text_ = source().text();
+    looks_without_file_ = 0;
+    const Scene ids_from = reading_->scene;
+    take(read_table(named(disk_text_), catalog_), &ids_from);  // its places name the new file
     broken_.reset();
     return {};
 }
@@ -188,24 +170,22 @@ DiskState Document::check_disk() {
     if (!text) {
         std::error_code error;
         if (std::filesystem::exists(path_, error)) return DiskState::same;  // there, only not to be read
-        ++looks_in_vain_;                                                   // programs that replace a file take it away for a moment
+        ++looks_without_file_;  // programs that replace a file take it away for a moment
         return is_missing() ? DiskState::missing : DiskState::same;
     }
-    looks_in_vain_ = 0;
+    looks_without_file_ = 0;
     if (*text == disk_text_) {
         broken_.reset();
         return DiskState::same;
     }
-    if (dirty()) return *text == source_->text() ? (disk_text_ = *text, DiskState::same) : DiskState::conflict;
-    if (broken_ && broken_->text() == *text) return DiskState::broken;
-    const auto source = named(std::move(*text));
-    ReadResult reading = read_table(source, catalog_);
-    if (has_errors(reading.diagnostics)) {
-        broken_ = source;
-        broken_diagnostics_ = std::move(reading.diagnostics);
+    if (dirty()) return *text == source().text() ? (disk_text_ = *text, DiskState::same) : DiskState::conflict;
+    if (broken_ && broken_->source().text() == *text) return DiskState::broken;
+    Reading reading = read_table(named(std::move(*text)), catalog_);
+    if (!reading.ok()) {
+        broken_ = std::make_shared<const Reading>(std::move(reading));
         return DiskState::broken;
     }
-    follow_disk(source);
+    follow_disk(std::move(reading));
     return DiskState::reloaded;
 }
 
@@ -214,22 +194,21 @@ Result<void> Document::reload() {
     cancel_preview();
     Result<std::string> text = read_file(path_);
     if (!text) return tl::unexpected(text.error());
-    const auto source = named(std::move(*text));
-    const ReadResult reading = read_table(source, catalog_);
-    if (has_errors(reading.diagnostics)) return failure(format(reading.diagnostics.front(), *source));
-    follow_disk(source);
+    Reading reading = read_table(named(std::move(*text)), catalog_);
+    if (!reading.ok()) return failure(format(reading.diagnostics.front(), reading.scene.sources));
+    follow_disk(std::move(reading));
     return {};
 }
 
 /// Takes a sound text from the disk as a step of its own, so that undo gives the earlier text back.
-void Document::follow_disk(std::shared_ptr<const SourceText> source) {
-    disk_text_ = source->text();
-    looks_in_vain_ = 0;
+void Document::follow_disk(Reading reading) {
+    disk_text_ = reading.source().text();
+    looks_without_file_ = 0;
     broken_.reset();
-    if (disk_text_ == source_->text()) return;
-    Step step{"Reload", {}, {}, source_, source, std::make_shared<const Scene>(*scene_), {}};
-    take_text(std::move(source), step.scene_before.get());
-    step.scene_after = std::make_shared<const Scene>(*scene_);
+    if (disk_text_ == source().text()) return;
+    Step step{"Reload", {}, {}, shared_source(), reading.scene.sources.shared_main(), std::make_shared<const Scene>(reading_->scene), {}};
+    take(std::move(reading), step.scene_before.get());
+    step.scene_after = std::make_shared<const Scene>(reading_->scene);
     push(std::move(step));
     changes_.push_back({true, {}, 0});
 }

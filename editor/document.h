@@ -7,9 +7,8 @@
 
 #include "engine/core/diagnostic.h"
 #include "engine/core/result.h"
-#include "engine/core/source_text.h"
+#include "engine/io/table_reader.h"
 #include "engine/scene/edit.h"
-#include "engine/scene/scene.h"
 
 namespace pinfield::editor {
 
@@ -30,23 +29,23 @@ public:
     /// Fails when the file cannot be read. A file with errors opens: diagnostics() says what is wrong, scene() is what could be understood.
     static Result<Document> open(const std::string& path, std::shared_ptr<const Catalog> catalog);
 
-    const SourceText& source() const { return *source_; }
-    const Scene& scene() const { return *scene_; }
+    const SourceText& source() const { return reading_->source(); }
+    const Scene& scene() const { return previewed_ ? *previewed_ : reading_->scene; }
     /// What is wrong in diagnosed(): the file as it was opened, or, while the disk holds a broken text, that text.
-    const Diagnostics& diagnostics() const { return broken_ ? broken_diagnostics_ : diagnostics_; }
-    const SourceText& diagnosed() const { return broken_ ? *broken_ : *source_; }
+    const Diagnostics& diagnostics() const { return (broken_ ? broken_ : reading_)->diagnostics; }
+    const Sources& diagnosed() const { return (broken_ ? broken_ : reading_)->scene.sources; }
     const std::string& path() const { return path_; }  ///< empty: never saved
     bool dirty() const;                                ///< the text differs from the disk's as last seen, or its file is gone
 
     /// Shows an edit without writing it: the scene changes, the text does not (a drag in progress). Several previews of one
     /// field replace each other; several fields may be previewed together. Why not, or nothing.
     std::optional<std::string> preview(const Edit& edit);
-    /// Turns what is previewed into one text patch each and one undo step. `label` names the step ("Move pop"). When a patch is
+    /// Turns what is previewed into text patches and one undo step, for one reading of the text. `label` names the step ("Move pop"). When a patch is
     /// refused the preview is taken back and the reason returned. A preview that came back to where it began leaves no step.
     std::optional<std::string> commit(const std::string& label);
     /// Takes the preview back (Esc during a drag).
     void cancel_preview();
-    bool previewing() const { return !preview_.empty(); }
+    bool previewing() const { return previewed_ != nullptr; }
     /// preview() and commit() in one.
     std::optional<std::string> edit(const Edit& edit, const std::string& label);
 
@@ -83,27 +82,24 @@ private:
     };
 
     Document() = default;
-    bool is_missing() const { return looks_in_vain_ >= 2; }
+    bool is_missing() const { return looks_without_file_ >= 2; }
     std::shared_ptr<const SourceText> named(std::string text) const;
-    void take_text(std::shared_ptr<const SourceText> source, const Scene* ids_from);
+    const std::shared_ptr<const SourceText>& shared_source() const { return reading_->scene.sources.shared_main(); }
+    void take(Reading reading, const Scene* ids_from);
     void replay(const std::vector<Edit>& edits, std::shared_ptr<const SourceText> source, const Scene* replaced_by);
-    void follow_disk(std::shared_ptr<const SourceText> source);
-    std::optional<std::string> write(const Edit& edit, Scene& scene, Step& step) const;
+    void follow_disk(Reading reading);
     void push(Step step);
 
     std::shared_ptr<const Catalog> catalog_;
-    std::shared_ptr<const SourceText> source_;
-    std::shared_ptr<Scene> scene_;
-    Diagnostics diagnostics_;
-    std::shared_ptr<const SourceText> broken_;  ///< what the disk holds when that cannot be read
-    Diagnostics broken_diagnostics_;
+    std::shared_ptr<const Reading> reading_;  ///< of the text as it is
+    std::shared_ptr<const Reading> broken_;   ///< of what the disk holds when that cannot be used
     std::string path_;
     std::string disk_text_;
-    int looks_in_vain_ = 0;  ///< at a file that is not there
+    int looks_without_file_ = 0;  ///< in a row
     std::vector<Step> history_;
     std::size_t position_ = 0;
     std::vector<Edit> preview_;
-    std::shared_ptr<Scene> before_preview_;
+    std::shared_ptr<Scene> previewed_;  ///< the scene with what is previewed; null when nothing is
     std::vector<SceneChange> changes_;
 };
 

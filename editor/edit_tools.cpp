@@ -209,7 +209,7 @@ std::string text_of(const Document& document, NodeId id, int field) {
     const Node& node = *document.scene().find(id);
     const FieldSlot& slot = at(node.fields, field);
     const FieldType& type = at(node.type->fields, field);
-    const std::string_view written = slot.is_explicit ? document.source().slice(slot.where) : std::string_view();
+    const std::string_view written = slot.is_explicit ? document.scene().sources.slice(slot.where) : std::string_view();
     const auto spell = [&](int i) { return write_quantity(component(slot.value, i), type.meta.unit, part_of(written, i)); };
     const auto spell_pair = [&](int i) { return fmt::format("[{}, {}]", spell(i), spell(i + 1)); };
     switch (type.kind) {

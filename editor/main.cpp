@@ -52,7 +52,7 @@ Result<AppState> first_state(const std::string& file) {
 std::optional<ScriptRunner> read_steps(const std::string& path, const std::string& text) {
     SourceText source(path, text);
     Script script = read_script(source);
-    for (const Diagnostic& problem : script.diagnostics) std::fprintf(stderr, "%s\n", format(problem, source).c_str());
+    for (const Diagnostic& problem : script.diagnostics) std::fprintf(stderr, "%s\n", format(problem, Sources(source)).c_str());
     if (has_errors(script.diagnostics)) return std::nullopt;
     return ScriptRunner(std::move(source), std::move(script));
 }

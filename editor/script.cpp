@@ -211,7 +211,7 @@ ScriptRunner::Frame ScriptRunner::run_expect(const ScriptStep& step, const AppSt
 
 ScriptRunner::Frame ScriptRunner::fail(const std::string& why) {
     const ScriptStep& step = script_.steps[index_];
-    const LineColumn place = source_.place(step.where.begin);
+    const LineColumn place = source_.line_column(step.where.span.begin);
     failure_ = fmt::format("{}:{}:{}: step {} ({}): {}", source_.name(), place.line, place.column, index_ + 1, word_of(step.kind), why);
     return {};
 }

@@ -84,8 +84,8 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
         text_in(theme.small, palette::faint, "\u00b7");
         ImGui::SameLine(0, theme.px(6));
     }
-    if (node.where.end > 0)
-        text_in(theme.small, palette::quiet, "line " + std::to_string(state.document.source().place(node.where.begin).line));
+    if (node.where)
+        text_in(theme.small, palette::quiet, "line " + std::to_string(state.document.scene().sources.line_column(node.where).line));
     else text_in(theme.small, palette::quiet, "not in the file yet");
     ImGui::PushTextWrapPos(0);
     text_in(theme.body, palette::quiet, node.type->meta.doc);

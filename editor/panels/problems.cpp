@@ -6,27 +6,28 @@ namespace pinfield::editor {
 namespace {
 
 /// The innermost node whose text holds this place.
-NodeId node_at(const Scene& scene, std::size_t offset) {
+NodeId node_at(const Scene& scene, const Place& place) {
     NodeId best;
     std::size_t length = static_cast<std::size_t>(-1);
     for (const NodeId id : scene.all()) {
-        const Span where = scene.find(id)->where;
-        if (where.begin <= offset && offset < where.end && where.end - where.begin < length) {
+        const Place& where = scene.find(id)->where;
+        const std::size_t offset = place.span.begin, begin = where.span.begin, end = where.span.end;
+        if (where.file == place.file && begin <= offset && offset < end && end - begin < length) {
             best = id;
-            length = where.end - where.begin;
+            length = end - begin;
         }
     }
     return best;
 }
 
-void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem, const SourceText& source, int index) {
+void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem, const Sources& sources, int index) {
     const bool error = problem.severity == Severity::error;
-    const LineColumn at = source.place(problem.where.begin);
+    const LineColumn at = sources.line_column(problem.where);
     const ImVec2 place = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, height = theme.px(26);
     ImGui::PushID(index);
     if (ImGui::InvisibleButton("row", {width, height})) {
-        const NodeId node = node_at(state.document.scene(), problem.where.begin);
+        const NodeId node = node_at(state.document.scene(), problem.where);
         if (node) state.selection = node;
         state.message = problem.hint.empty() ? problem.message : problem.hint;
         state.message_is_problem = error;
@@ -48,7 +49,8 @@ void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem,
     if (!problem.hint.empty() && message == problem.message && right - after > theme.px(60))
         list.AddText({after, y}, ink(palette::quiet), fitted(problem.hint, right - after).c_str());
     if (hot) {
-        const std::string_view line = source.line(at.line);
+        const SourceText* source = sources.find(problem.where);
+        const std::string_view line = source ? source->line(at.line) : std::string_view();
         std::string text = problem.message + "\n" + std::string(line.substr(0, 200));
         if (!problem.hint.empty()) text += "\n" + problem.hint;
         tooltip(theme, text);
@@ -67,7 +69,7 @@ void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     // A click may change the document: the lists are a copy.
     const Problems problems = problems_of(state);
     for (const Diagnostic& problem : problems.in_file) problem_row(state, theme, problem, state.document.diagnosed(), index++);
-    for (const Diagnostic& problem : problems.in_program) problem_row(state, theme, problem, state.document.source(), index++);
+    for (const Diagnostic& problem : problems.in_program) problem_row(state, theme, problem, state.document.scene().sources, index++);
     if (index == 0) text_in(theme.body, palette::quiet, "The table reads without a problem.");
     ImGui::PopStyleVar();
     ImGui::EndChild();

@@ -19,10 +19,11 @@ struct Options {
     bool json = false, verbose = false;
 };
 
-JsonObject json_of(const Diagnostic& diagnostic, const char* severity, const SourceText& source) {
-    const LineColumn place = source.place(diagnostic.where.begin);
+JsonObject json_of(const Diagnostic& diagnostic, const char* severity, const Sources& sources) {
+    const LineColumn place = sources.line_column(diagnostic.where);
+    const SourceText* source = sources.find(diagnostic.where);
     return JsonObject()
-        .add("file", source.name())
+        .add("file", source ? source->name() : "")
         .add("line", place.line)
         .add("column", place.column)
         .add("severity", severity)
@@ -33,7 +34,7 @@ JsonObject json_of(const Diagnostic& diagnostic, const char* severity, const Sou
 
 /// What is known of a node's distance.
 struct Note {
-    Span where;
+    Place where;
     std::string node;
     int depth = 0;  ///< 0: stands in the scene; else how deep in its tree
     DistanceQuality quality;
@@ -65,19 +66,20 @@ std::string message_of(const Note& note) {
                                     : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.quality.fit_error));
 }
 
-std::string lines_of(const std::vector<Note>& notes, const SourceText& source) {
+std::string lines_of(const std::vector<Note>& notes, const Sources& sources) {
     std::string text;
     for (const Note& note : notes) {
-        const LineColumn at = source.place(note.where.begin);
-        text += fmt::format("{}:{}:{}: note: {:{}}{}\n", source.name(), at.line, at.column, "", 2 * note.depth, message_of(note));
+        const LineColumn at = sources.line_column(note.where);
+        const SourceText* source = sources.find(note.where);
+        text += fmt::format("{}:{}:{}: note: {:{}}{}\n", source ? source->name() : "", at.line, at.column, "", 2 * note.depth, message_of(note));
     }
     return text;
 }
 
 /// A finding with more to read: what a program would ask for.
-JsonObject json_of(const Note& note, const SourceText& source) {
+JsonObject json_of(const Note& note, const Sources& sources) {
     const Exactness& formula = note.quality.formula;
-    return json_of(Diagnostic{"", Severity::warning, message_of(note), note.where, ""}, "note", source)
+    return json_of(Diagnostic{"", Severity::warning, message_of(note), note.where, ""}, "note", sources)
         .add("node", note.node)
         .add("outside", word(formula.outside))
         .add("inside", word(formula.inside))
@@ -93,7 +95,7 @@ struct Findings {
     std::vector<Note> notes;
 };
 
-Findings findings_of(const LoadedTable& loaded, bool with_notes) {
+Findings findings_of(const Reading& loaded, bool with_notes) {
     Findings out{loaded.diagnostics, {}};
     if (!loaded.ok()) return out;
     const auto program = compile(loaded.scene);
@@ -108,7 +110,7 @@ ExitCode check(const Options& options) {
     ExitCode exit = ExitCode::fine;
     std::vector<std::string> objects;
     for (const std::string& file : options.files) {
-        const Result<LoadedTable> loaded = load_table(file, catalog);
+        const Result<Reading> loaded = load_table(file, catalog);
         if (!loaded) {
             fmt::print(stderr, "pinfield: {}\n", loaded.error().message);
             exit = ExitCode::failed;
@@ -116,12 +118,12 @@ ExitCode check(const Options& options) {
         }
         const Findings found = findings_of(*loaded, options.verbose);
         if (has_errors(found.diagnostics) && exit == ExitCode::fine) exit = ExitCode::wrong;
-        if (!options.json) print(text_of(found.diagnostics, *loaded->source) + lines_of(found.notes, *loaded->source));
+        if (!options.json) print(text_of(found.diagnostics, loaded->scene.sources) + lines_of(found.notes, loaded->scene.sources));
         for (const Diagnostic& diagnostic : found.diagnostics) {
             const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
-            objects.push_back(json_of(diagnostic, severity, *loaded->source).text());
+            objects.push_back(json_of(diagnostic, severity, loaded->scene.sources).text());
         }
-        for (const Note& note : found.notes) objects.push_back(json_of(note, *loaded->source).text());
+        for (const Note& note : found.notes) objects.push_back(json_of(note, loaded->scene.sources).text());
     }
     if (options.json) print(json_array(objects) + "\n");
     return exit;

@@ -79,8 +79,8 @@ Verdict judge(const Table& table, const TableTest& test, std::size_t index) {
     for (const TableTest::Expectation& expected : test.expectations) {
         const double found = measure(expected.quantity, summary, counter, table.scene);
         if (compare(found, expected.comparison, expected.value)) continue;
-        const LineColumn place = table.source->place(expected.where.begin);
-        verdict.failures.push_back(fmt::format("{}:{}:{}: expected {}, but {} is {}", table.source->name(), place.line, place.column,
+        const LineColumn place = table.scene.sources.line_column(expected.where);
+        verdict.failures.push_back(fmt::format("{}:{}:{}: expected {}, but {} is {}", table.scene.sources.main().name(), place.line, place.column,
                                                expected.text, expected.quantity, to_text(found)));
     }
     return verdict;

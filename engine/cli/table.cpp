@@ -9,23 +9,23 @@
 
 namespace pinfield::cli {
 
-std::string text_of(const Diagnostics& diagnostics, const SourceText& source) {
+std::string text_of(const Diagnostics& diagnostics, const Sources& sources) {
     std::string text;
     for (const Diagnostic& diagnostic : diagnostics) {
-        text += format(diagnostic, source);
+        text += format(diagnostic, sources);
         if (!text.ends_with('\n')) text += '\n';
     }
     return text;
 }
 
 Table open_table(const std::string& path) {
-    LoadedTable loaded = value_or_stop(load_table(path, std::make_shared<const Catalog>(built_in_catalog())));
-    const std::string found = text_of(loaded.diagnostics, *loaded.source);
+    Reading loaded = value_or_stop(load_table(path, std::make_shared<const Catalog>(built_in_catalog())));
+    const std::string found = text_of(loaded.diagnostics, loaded.scene.sources);
     if (!loaded.ok()) throw Stop{ExitCode::wrong, found};
     const auto program = compile(loaded.scene);
-    if (!program) throw Stop{ExitCode::wrong, found + text_of(program.error(), *loaded.source)};
-    fmt::print(stderr, "{}{}", found, text_of(warnings_of(**program, loaded.scene), *loaded.source));
-    return {loaded.source, std::move(loaded.scene), *program};
+    if (!program) throw Stop{ExitCode::wrong, found + text_of(program.error(), loaded.scene.sources)};
+    fmt::print(stderr, "{}{}", found, text_of(warnings_of(**program, loaded.scene), loaded.scene.sources));
+    return {std::move(loaded.scene), *program};
 }
 
 std::string name_of(const Scene& scene, NodeId node) { return scene.find(node) ? scene.path(node) : "table"; }

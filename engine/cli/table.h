@@ -8,10 +8,9 @@
 namespace pinfield::cli {
 
 /// All diagnostics, each as people read them, in the order of the text.
-std::string text_of(const Diagnostics& diagnostics, const SourceText& source);
+std::string text_of(const Diagnostics& diagnostics, const Sources& sources);
 
 struct Table {
-    std::shared_ptr<const SourceText> source;
     Scene scene;
     ProgramPtr program;
 };

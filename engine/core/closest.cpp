@@ -1,5 +1,7 @@
 #include "engine/core/closest.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -50,6 +52,14 @@ std::optional<std::string> closest_match(std::string_view word, std::span<const 
 
 std::optional<std::string> closest_match(std::string_view word, std::span<const std::string_view> candidates) {
     return closest_of(word, candidates);
+}
+
+std::string suggestion(std::string_view word, std::span<const std::string_view> candidates) {
+    // A hostile file has as many names as it likes; a table has fewer than this.
+    constexpr std::size_t most_compared = 500;
+    if (const auto close = closest_match(word, candidates.first(std::min(candidates.size(), most_compared)))) return fmt::format("did you mean {}?", *close);
+    if (candidates.empty() || candidates.size() > 12) return {};
+    return fmt::format("one of: {}", fmt::join(candidates, ", "));
 }
 
 }  // namespace pinfield

@@ -17,4 +17,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 std::optional<std::string> closest_match(std::string_view word, std::span<const std::string> candidates);
 std::optional<std::string> closest_match(std::string_view word, std::span<const std::string_view> candidates);
 
+/// "did you mean radius?", or "one of: a, b, c" when there are few and none is close, or nothing. Of very many candidates only the first
+/// are compared.
+std::string suggestion(std::string_view word, std::span<const std::string_view> candidates);
+
 }  // namespace pinfield

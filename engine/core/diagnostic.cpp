@@ -53,16 +53,21 @@ bool has_errors(const Diagnostics& diagnostics) {
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
-std::string format(const Diagnostic& diagnostic, const SourceText& source) {
-    const LineColumn at = source.place(diagnostic.where.begin);
+std::string format(const Diagnostic& diagnostic, const Sources& sources) {
+    const SourceText* source = sources.find(diagnostic.where);
     const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
-    std::string out = fmt::format("{}:{}:{}: {}: {} [{}]\n", source.name(), at.line, at.column, severity,
-                                  diagnostic.message, diagnostic.code);
-    const std::string_view line = source.line(at.line);
-    const auto line_begin = static_cast<std::size_t>(line.data() - source.text().data());
-    const std::size_t in_line = line.empty() ? 0 : std::min(diagnostic.where.begin - line_begin, line.size());
-    const Excerpt excerpt = excerpt_of(line, in_line, at.column);
-    if (!excerpt.text.empty()) out += fmt::format("  {}\n  {}^\n", excerpt.text, std::string(static_cast<std::size_t>(excerpt.caret), ' '));
+    std::string out = fmt::format("{}: {} [{}]\n", severity, diagnostic.message, diagnostic.code);
+    if (source) {
+        const std::size_t offset = diagnostic.where.span.begin;
+        const LineColumn at = source->line_column(offset);
+        out = fmt::format("{}:{}:{}: {}", source->name(), at.line, at.column, out);
+        const std::string_view line = source->line(at.line);
+        const auto line_begin = static_cast<std::size_t>(line.data() - source->text().data());
+        const std::size_t in_line = line.empty() ? 0 : std::min(offset - line_begin, line.size());
+        const Excerpt excerpt = excerpt_of(line, in_line, at.column);
+        if (!excerpt.text.empty())
+            out += fmt::format("  {}\n  {}^\n", excerpt.text, std::string(static_cast<std::size_t>(excerpt.caret), ' '));
+    }
     if (!diagnostic.hint.empty()) out += fmt::format("  hint: {}\n", diagnostic.hint);
     return out;
 }

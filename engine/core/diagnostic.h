@@ -15,7 +15,7 @@ struct Diagnostic {
     std::string code;  ///< "E0203": see error_codes.h
     Severity severity = Severity::error;
     std::string message;  ///< what is wrong, one sentence without a full stop
-    Span where;           ///< in the SourceText it was found in
+    Place where;          ///< nowhere when the scene was not read from a text
     std::string hint;     ///< how to mend it; may be empty
 };
 
@@ -23,7 +23,7 @@ using Diagnostics = std::vector<Diagnostic>;
 
 bool has_errors(const Diagnostics& diagnostics);
 
-/// `file:line:col: error: message [E0203]`, then the source line with a caret, then the hint.
-std::string format(const Diagnostic& diagnostic, const SourceText& source);
+/// `file:line:col: error: message [E0203]`, then the source line with a caret, then the hint; only `error: ...` for one that stands nowhere.
+std::string format(const Diagnostic& diagnostic, const Sources& sources);
 
 }  // namespace pinfield

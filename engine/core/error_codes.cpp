@@ -91,7 +91,7 @@ std::span<const ErrorCode> error_codes() { return codes; }
 
 const ErrorCode& entry(Code code) { return at(codes, code); }
 
-Diagnostic diagnose(Code code, Span where, std::string message, std::string hint) {
+Diagnostic diagnose(Code code, Place where, std::string message, std::string hint) {
     const std::string_view word = entry(code).code;
     const Severity severity = word.front() == 'W' ? Severity::warning : Severity::error;
     return {std::string(word), severity, std::move(message), where, std::move(hint)};

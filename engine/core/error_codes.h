@@ -95,6 +95,6 @@ std::span<const ErrorCode> error_codes();
 const ErrorCode& entry(Code code);
 
 /// A diagnostic of this code; its severity is the code's.
-Diagnostic diagnose(Code code, Span where, std::string message, std::string hint = {});
+Diagnostic diagnose(Code code, Place where, std::string message, std::string hint = {});
 
 }  // namespace pinfield

@@ -6,14 +6,15 @@
 
 namespace pinfield {
 
-SourceText::SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
+SourceText::SourceText(std::string name, std::string text, FileId file)
+    : name_(std::move(name)), text_(std::move(text)), file_(file) {
     line_starts_.reserve(1 + static_cast<std::size_t>(std::count(text_.begin(), text_.end(), '\n')));
     line_starts_.push_back(0);
     for (std::size_t i = 0; i < text_.size(); ++i)
         if (text_[i] == '\n') line_starts_.push_back(i + 1);
 }
 
-LineColumn SourceText::place(std::size_t offset) const {
+LineColumn SourceText::line_column(std::size_t offset) const {
     offset = std::min(offset, text_.size());
     const auto next = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset);
     const std::size_t start = *(next - 1);
@@ -32,6 +33,21 @@ std::string_view SourceText::line(int n) const {
     std::size_t end = n < line_count() ? at(line_starts_, n) - 1 : text_.size();
     if (end > begin && text_[end - 1] == '\r') --end;
     return std::string_view(text_).substr(begin, end - begin);
+}
+
+const SourceText* Sources::find(const Place& place) const {
+    if (!place || place.file.value > texts_.size()) return nullptr;
+    return texts_[place.file.value - main_file.value].get();
+}
+
+LineColumn Sources::line_column(const Place& place) const {
+    const SourceText* text = find(place);
+    return text ? text->line_column(place.span.begin) : LineColumn{};
+}
+
+std::string_view Sources::slice(const Place& place) const {
+    const SourceText* text = find(place);
+    return text ? text->slice(place.span) : std::string_view();
 }
 
 }  // namespace pinfield

@@ -1,9 +1,12 @@
-// A text and where things are in it.
+// The texts a table is made of, and where things are in them.
 #pragma once
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "engine/core/id.h"
 
 namespace pinfield {
 
@@ -13,30 +16,67 @@ struct Span {
     bool operator==(const Span&) const = default;
 };
 
+/// One of the texts of a table.
+using FileId = Id<struct FileTag>;
+/// The table's own file; those that it includes are numbered after it.
+inline constexpr FileId main_file{1};
+
+/// Where something stands: in which text, and which of its bytes. Without a file: nowhere, as in a scene that no text was read for.
+struct Place {
+    FileId file;
+    Span span;
+    explicit operator bool() const { return static_cast<bool>(file); }
+    bool operator==(const Place&) const = default;
+};
+
 /// 1-based line and column for people; columns count code points, not bytes.
 struct LineColumn {
     int line = 1, column = 1;
     bool operator==(const LineColumn&) const = default;
 };
 
-/// An immutable text with a name for messages (usually its path) and an index of its lines.
+/// An immutable text with a name for messages (usually its path), its number among the texts of its table, and an index of its lines.
 class SourceText {
 public:
     SourceText() : SourceText("", "") {}
-    SourceText(std::string name, std::string text);
+    SourceText(std::string name, std::string text, FileId file = main_file);
 
     const std::string& name() const { return name_; }
     const std::string& text() const { return text_; }
+    FileId file() const { return file_; }
+    Place place(Span span) const { return {file_, span}; }
     std::string_view slice(Span span) const { return std::string_view(text_).substr(span.begin, span.end - span.begin); }
-    /// Place of a byte offset; an offset past the end is the place just after the last character.
-    LineColumn place(std::size_t offset) const;
+    /// Of a byte offset; past the end it is that just after the last character.
+    LineColumn line_column(std::size_t offset) const;
     /// Line n (1-based) without its line break; empty past the end.
     std::string_view line(int n) const;
     int line_count() const { return static_cast<int>(line_starts_.size()); }
 
 private:
     std::string name_, text_;
+    FileId file_;
     std::vector<std::size_t> line_starts_;
+};
+
+/// The texts that one table was read from, by their numbers.
+class Sources {
+public:
+    Sources() = default;
+    explicit Sources(std::shared_ptr<const SourceText> main) : texts_{std::move(main)} {}
+    explicit Sources(SourceText main) : Sources(std::make_shared<const SourceText>(std::move(main))) {}
+
+    /// The table's own file.
+    const SourceText& main() const { return *texts_.front(); }
+    const std::shared_ptr<const SourceText>& shared_main() const { return texts_.front(); }
+    /// The text a place is in; null for nowhere.
+    const SourceText* find(const Place& place) const;
+    /// Of where a place begins; {1, 1} for nowhere.
+    LineColumn line_column(const Place& place) const;
+    /// The bytes of a place; none for nowhere.
+    std::string_view slice(const Place& place) const;
+
+private:
+    std::vector<std::shared_ptr<const SourceText>> texts_;  ///< main_file first
 };
 
 }  // namespace pinfield

@@ -4,14 +4,15 @@
 
 namespace pinfield {
 
-Result<LoadedTable> load_table(const std::string& path, std::shared_ptr<const Catalog> catalog,
-                               const Limits& limits) {
+Result<Reading> load_table(const std::string& path, std::shared_ptr<const Catalog> catalog, const Limits& limits) {
     Result<FileStart> start = read_file_start(path, limits.file_bytes);
     if (!start) return tl::unexpected<Failure>(start.error());
     if (!start->whole) {
-        ReadResult result{std::make_shared<const SourceText>(path, ""), Scene(std::move(catalog)), {}};
-        result.diagnostics.push_back(diagnose(
-            Code::file_too_large, {0, 0}, "the file is larger than " + std::to_string(limits.file_bytes) + " bytes"));
+        const auto none = std::make_shared<const SourceText>(path, "");
+        Reading result{std::make_shared<const YamlTree>(), Scene(std::move(catalog)), {}};
+        result.scene.sources = Sources(none);
+        result.diagnostics.push_back(diagnose(Code::file_too_large, none->place({0, 0}),
+                                              "the file is larger than " + std::to_string(limits.file_bytes) + " bytes"));
         return result;
     }
     return read_table(std::make_shared<const SourceText>(path, std::move(start->content)), std::move(catalog),

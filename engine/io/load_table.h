@@ -8,11 +8,8 @@
 
 namespace pinfield {
 
-using LoadedTable = ReadResult;
-
 /// Fails when the file cannot be read; what is wrong with its content is in the diagnostics. A file above the limit of
 /// a table is not read further than needed to say so.
-Result<LoadedTable> load_table(const std::string& path, std::shared_ptr<const Catalog> catalog,
-                               const Limits& limits = {});
+Result<Reading> load_table(const std::string& path, std::shared_ptr<const Catalog> catalog, const Limits& limits = {});
 
 }  // namespace pinfield

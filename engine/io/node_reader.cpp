@@ -7,8 +7,7 @@
 #include "engine/core/at.h"
 #include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
-#include "engine/scene/edit.h"
-#include "engine/scene/part_traits.h"
+#include "engine/scene/validate.h"
 
 namespace pinfield {
 namespace {
@@ -61,25 +60,15 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
         return context.report(Code::too_many_repeats, value.span,
                               fmt::format("more than {} copies", context.limits.repeats));
     const auto read = read_value(context, field, value);
-    if (read) at(node.fields, index) = {*read, true, value.span};
+    if (read) at(node.fields, index) = {*read, true, context.source.place(value.span)};
 }
-
-bool allows_any_node(const NodeType* parent) { return !parent || (parent->part && parent->part->role == Role::group); }
 
 void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNode& key, const YamlNode* list) {
     const NodeType& type = *node.type;
-    const ChildCount allowed = type.meta.children;
     if (list) read_nodes(context, scene, node.id, *list);
     if (list && list->kind != YamlKind::sequence && !list->is_empty()) return;  // has been told of
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
-    if (count >= allowed.min && count <= allowed.max && (allowed.max > 0 || !list)) return;
-    const std::string wanted = allowed.max == 0 ? "no children"
-                               : allowed.min == allowed.max
-                                   ? fmt::format("exactly {} {}", allowed.min, allowed.min == 1 ? "child" : "children")
-                               : allowed.max == any_number
-                                   ? fmt::format("at least {} {}", allowed.min, allowed.min == 1 ? "child" : "children")
-                                   : fmt::format("{} to {} children", allowed.min, allowed.max);
-    context.report(Code::child_count, key.span, fmt::format("{} takes {}; it has {}", type.key(), wanted, count));
+    if (auto wrong = wrong_child_count(type, count, context.source.place(key.span))) context.report(std::move(*wrong));
 }
 
 /// "-circle" and "radius:30mm" are words of their own to YAML: what was meant, or nothing.
@@ -138,7 +127,7 @@ bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
     const std::vector<YamlNode*>& entries = key.parent->items;
     const auto at = std::find(entries.begin(), entries.end(), &key) - entries.begin();
     if (key.parent->kind != YamlKind::map || at % 2 != 0) return false;
-    const int line = context.source.place(key.span.begin).line;
+    const int line = context.source.line_column(key.span.begin).line;
     context.report(
         Code::wrong_shape, written.span,
         fmt::format("*{} is only the word {}: in line {} its anchor stands before a key", written.text, key.text, line),
@@ -160,13 +149,10 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
         return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text),
                               suggestion(key.text, node_words(context.catalog)));
     const NodeType* parent_type = parent ? scene.find(parent)->type : nullptr;
-    if (type->meta.kind == NodeKind::part && !allows_any_node(parent_type))
-        return context.report(Code::misplaced_part, key.span,
-                              fmt::format("{} cannot stand inside {}", type->key(), parent_type->key()),
-                              "only shapes and operations may; put it directly into the scene or a group");
+    if (auto misplaced = misplaced_part(*type, parent_type, context.source.place(key.span))) return context.report(std::move(*misplaced));
     Node& node = scene.add(*type, parent);
-    node.key = key.span;
-    node.where = {key.span.begin, std::max(key.span.end, body.span.end)};
+    node.key = context.source.place(key.span);
+    node.where = context.source.place({key.span.begin, std::max(key.span.end, body.span.end)});
     read_fields(context, node, key, body, {children_key});
     if (const auto id = type->find_field("id"))
         node.name = std::get<std::string>(at(node.fields, *id).value);
@@ -205,8 +191,13 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
         if (field.meta.required && !body.find(field.key))
             context.report(Code::missing_field, key.span, fmt::format("{} needs {}", key.text, field.key));
     if (context.errors_so_far() != errors_before) return;
-    if (const auto sentence = broken_contract(node))
-        context.report(Code::broken_contract, key.span, fmt::format("{}: {} must hold", key.text, *sentence));
+    if (auto broken = broken_contract(node)) context.report(std::move(*broken));
+}
+
+void read_record(ReadContext& context, Node& record, const YamlNode& key, const YamlNode& body) {
+    record.key = context.source.place(key.span);
+    record.where = context.source.place({key.span.begin, std::max(key.span.end, body.span.end)});
+    read_fields(context, record, key, body);
 }
 
 void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& list) {

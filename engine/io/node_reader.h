@@ -10,10 +10,10 @@ namespace pinfield {
 void read_fields(ReadContext& context, Node& node, const YamlNode& key, const YamlNode& body,
                  const std::vector<std::string_view>& skipped = {});
 
+/// The fields of a record (table, physics, a material) and where it stands.
+void read_record(ReadContext& context, Node& record, const YamlNode& key, const YamlNode& body);
+
 /// A list of scene nodes under `parent` (none: the scene itself).
 void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& list);
-
-/// What only the whole scene can tell: ids said twice, materials and inputs that do not exist, domains on one layer.
-void check_scene(ReadContext& context, const Scene& scene);
 
 }  // namespace pinfield

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/closest.h"
 #include "engine/core/error_codes.h"
 #include "engine/io/limits.h"
 #include "engine/io/yaml_tree.h"
@@ -17,21 +18,20 @@ struct ReadContext {
     const Limits& limits;
     Diagnostics& diagnostics;
 
-    void report(Code code, Span where, std::string message, std::string hint = {}) {
+    void report(Diagnostic found) {
         if (diagnostics.size() < limits.errors)
-            diagnostics.push_back(diagnose(code, where, std::move(message), std::move(hint)));
+            diagnostics.push_back(std::move(found));
         else if (diagnostics.size() == limits.errors)
-            diagnostics.push_back(diagnose(Code::too_many_errors, where, std::string(more_errors_follow)));
+            diagnostics.push_back(diagnose(Code::too_many_errors, found.where, std::string(more_errors_follow)));
+    }
+    void report(Code code, Span where, std::string message, std::string hint = {}) {
+        report(diagnose(code, source.place(where), std::move(message), std::move(hint)));
     }
     /// So much is wrong that the rest is not worth reading: whoever goes through a list asks before each item, so that
     /// neither nodes nor suggestions are made that nobody will see.
     bool full() const { return diagnostics.size() > limits.errors; }
     std::size_t errors_so_far() const { return diagnostics.size(); }
 };
-
-/// "did you mean radius?", or "one of: a, b, c" when there are few and none is close, or nothing. Of very many
-/// candidates only the first are compared.
-std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates);
 
 /// [a-z_][a-z0-9_]*
 bool is_name(std::string_view text);

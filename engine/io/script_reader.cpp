@@ -100,7 +100,7 @@ void read_step(ReadContext& context, Script& script, const YamlNode& node) {
     }
     ScriptStep step;
     step.kind = form->kind;
-    step.where = {word.span.begin, std::max(word.span.end, body.span.end)};
+    step.where = context.source.place({word.span.begin, std::max(word.span.end, body.span.end)});
     if (body.kind == YamlKind::null)
         report_missing_value(context, word, body);
     else if (form->required > 0)

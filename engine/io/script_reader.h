@@ -18,7 +18,7 @@ struct ScriptStep {
     std::string tolerance;      ///< expect: as written, in the field's unit; empty: exactly
     Vec2 from{0, 0}, to{0, 0};  ///< drag: metres, table coordinates
     int ticks = 0;              ///< key: how long it is held; wait
-    Span where{};
+    Place where{};
 };
 
 struct Script {

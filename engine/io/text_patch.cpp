@@ -8,7 +8,7 @@
 
 #include "engine/core/at.h"
 #include "engine/io/quantity.h"
-#include "engine/io/table_reader.h"
+#include "engine/io/same_content.h"
 #include "engine/io/value_writer.h"
 #include "engine/io/yaml_edit.h"
 
@@ -16,16 +16,15 @@ namespace pinfield {
 namespace {
 
 /// Where a node's fields stand in the tree.
-struct Place {
+struct Entry {
     const YamlNode* owner = nullptr;  ///< the map whose entry the node is; null: the text does not mention it
-    std::size_t entry = 0;
+    std::size_t index = 0;
 };
 
-Place find_place(const YamlTree& tree, const Node& node) {
-    if (node.key.begin == node.key.end) return {};
+Entry find_entry(const YamlTree& tree, const Node& node) {
+    if (!node.key) return {};
     for (const YamlNode& key : tree.nodes) {
-        if (key.span != node.key || key.kind != YamlKind::scalar || !key.parent || key.parent->kind != YamlKind::map)
-            continue;
+        if (key.span != node.key.span || key.kind != YamlKind::scalar || !key.parent || key.parent->kind != YamlKind::map) continue;
         const auto& items = key.parent->items;
         const auto at = static_cast<std::size_t>(std::find(items.begin(), items.end(), &key) - items.begin());
         if (at % 2 == 0) return {key.parent, at / 2};
@@ -56,12 +55,12 @@ std::string separator(const std::string& text, const YamlNode& list) {
     return ", ";
 }
 
-class ValuePatch {
+class ValueSplice {
 public:
-    ValuePatch(const std::string& text, const FieldType& field) : text_(text), field_(field) {}
+    ValueSplice(const std::string& text, const FieldType& field) : text_(text), field_(field) {}
 
     /// The smallest replacement of a value's text.
-    TextPatch of(const YamlNode& node, const Value& before, const Value& after) const {
+    Splice of(const YamlNode& node, const Value& before, const Value& after) const {
         if (const auto* pair = std::get_if<Vec2>(&after); pair && node.kind == YamlKind::sequence)
             return pair_patch(node, std::get<Vec2>(before), *pair);
         if (const auto* points = std::get_if<std::vector<Vec2>>(&after); points && node.kind == YamlKind::sequence)
@@ -83,7 +82,7 @@ private:
     }
 
     /// Only from the first to the last component that changes.
-    TextPatch pair_patch(const YamlNode& node, const Vec2& before, const Vec2& after) const {
+    Splice pair_patch(const YamlNode& node, const Vec2& before, const Vec2& after) const {
         const YamlNode &x = *node.items[0], &y = *node.items[1];
         const bool same_x = identical(Value(before.x()), Value(after.x())),
                    same_y = identical(Value(before.y()), Value(after.y()));
@@ -96,7 +95,7 @@ private:
 
     /// Points in common at both ends keep their bytes; what is between is written anew, point by point where the counts
     /// agree.
-    TextPatch points_patch(const YamlNode& node, const std::vector<Vec2>& before,
+    Splice points_patch(const YamlNode& node, const std::vector<Vec2>& before,
                            const std::vector<Vec2>& after) const {
         const auto same = [&](std::size_t i, std::size_t j) { return identical(Value(before[i]), Value(after[j])); };
         std::size_t head = 0, tail = 0;
@@ -157,15 +156,15 @@ Failure shared_failure(const YamlNode& shared) {
 /// How often each spelling of a unit stands in the text of given fields; a bare number is the empty spelling.
 using Spellings = std::map<std::string, int>;
 
-void count_spellings(const SourceText& source, const Node& node, Unit unit, Spellings& counts) {
+void count_spellings(const Scene& scene, const Node& node, Unit unit, Spellings& counts) {
     constexpr std::string_view between = "[]{}, '\"\r\n";
     for (std::size_t i = 0; i < node.fields.size(); ++i) {
         if (!node.fields[i].is_explicit || node.type->fields[i].meta.unit != unit) continue;
-        std::string_view text = source.slice(node.fields[i].where);
+        std::string_view text = scene.sources.slice(node.fields[i].where);
         while (!text.empty()) {
             const std::size_t length = std::min(text.find_first_of(between), text.size());
             const QuantityResult read = read_quantity(text.substr(0, length), unit);
-            // Nought is the same in every unit, and nobody writes one with it.
+            // Zero is the same in every unit, and nobody writes one with it.
             if (read && (read->value != 0 || read->suffix))
                 ++counts[read->suffix ? std::string(read->suffix->text) : ""];
             text.remove_prefix(std::min(length + 1, text.size()));
@@ -175,12 +174,12 @@ void count_spellings(const SourceText& source, const Node& node, Unit unit, Spel
 
 /// A number in the unit that the author uses beside a new field: what its node's fields of this unit have most often,
 /// else those of the whole file; empty for a bare number.
-std::string customary_number(const SourceText& source, const Scene& scene, const Node& node, Unit unit) {
+std::string customary_number(const Scene& scene, const Node& node, Unit unit) {
     if (unit == Unit::none) return {};
     Spellings counts;
-    count_spellings(source, node, unit, counts);
+    count_spellings(scene, node, unit, counts);
     if (counts.empty())
-        for (const NodeId id : scene.all()) count_spellings(source, *scene.find(id), unit, counts);
+        for (const NodeId id : scene.all()) count_spellings(scene, *scene.find(id), unit, counts);
     const auto most = std::max_element(counts.begin(), counts.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     return most == counts.end() || most->first.empty() ? std::string() : "1" + most->first;
@@ -194,90 +193,143 @@ std::size_t index_for_new_field(const YamlNode& map) {
 }
 
 /// A new section for a record that the text does not mention.
-TextPatch new_section(const std::string& text, const YamlNode& root, const Node& record, const std::string& entry) {
+Splice new_section(const std::string& text, const YamlNode& root, const Node& record, const std::string& entry) {
     std::size_t index = 0;
     for (std::size_t i = 0; i < root.entries(); ++i)
         if (root.key(i).text == "pinfield" || root.key(i).text == "table") index = i + 1;
     return insert_entry(text, root, index, fmt::format("{}: {{{}}}", record.type->key(), entry));
 }
 
-Result<TextPatch> unverified_patch(const SourceText& source, const YamlTree& tree, const Scene& scene, const Node& node,
-                                   const Edit& edit) {
-    const std::string& text = source.text();
-    const auto slot_index = static_cast<std::size_t>(edit.field);
-    const FieldType& field = node.type->fields[slot_index];
-    const std::string like = customary_number(source, scene, node, field.meta.unit);
-    const std::string entry = fmt::format("{}: {}", field.key, write_value(field, edit.value, like));
-    const Place place = find_place(tree, node);
-    if (!place.owner) {
+/// The bytes that make the text say an edit of a field that is not as it should be.
+Result<Splice> splice_for(const Reading& now, const Node& node, const Edit& edit) {
+    const std::string& text = now.source().text();
+    const FieldSlot& slot = at(node.fields, edit.field);
+    const FieldType& field = at(node.type->fields, edit.field);
+    if (!edit.is_explicit && !identical(edit.value, field.initial)) return failure("only a default value can be left out of the text");
+    const auto new_entry = [&] {
+        return fmt::format("{}: {}", field.key, write_value(field, edit.value, customary_number(now.scene, node, field.meta.unit)));
+    };
+    const Entry entry = find_entry(*now.tree, node);
+    if (!entry.owner) {
         if (node.type->meta.kind != NodeKind::record) return failure("the text does not hold the node");
-        return new_section(text, *tree.root, node, entry);
+        return new_section(text, *now.tree->root, node, new_entry());
     }
-    const YamlNode& body = place.owner->value(place.entry);
+    const YamlNode& body = entry.owner->value(entry.index);
     if (const YamlNode* shared = shared_above(&body)) return tl::unexpected<Failure>(shared_failure(*shared));
     if (body.target) return tl::unexpected<Failure>(shared_failure(body));
-    if (body.is_empty()) return insert_body(text, body, entry);
+    if (body.is_empty()) return insert_body(text, body, new_entry());
     for (std::size_t i = 0; i < body.entries(); ++i) {
         if (body.key(i).text != field.key) continue;
-        if (const YamlNode* shared = shared_below(body.value(i)))
-            return tl::unexpected<Failure>(shared_failure(*shared));
+        if (const YamlNode* shared = shared_below(body.value(i))) return tl::unexpected<Failure>(shared_failure(*shared));
         if (!edit.is_explicit) return remove_entry(text, body, i);
-        return ValuePatch(text, field).of(body.value(i), node.fields[slot_index].value, edit.value);
+        return ValueSplice(text, field).of(body.value(i), slot.value, edit.value);
     }
-    return insert_entry(text, body, index_for_new_field(body), entry);
+    return insert_entry(text, body, index_for_new_field(body), new_entry());
 }
 
-std::optional<NodeId> counterpart(const Scene& from, NodeId id, const Scene& to) {
-    const std::vector<NodeId> here = from.all(), there = to.all();
-    const auto place = std::find(here.begin(), here.end(), id);
-    if (place == here.end() || here.size() != there.size()) return {};
-    return at(there, place - here.begin());
+bool is_changed_by(const Scene& scene, const Edit& edit) {
+    const FieldSlot& slot = at(scene.find(edit.node)->fields, edit.field);
+    return slot.is_explicit != edit.is_explicit || !identical(slot.value, edit.value);
 }
 
-ReadResult read_text(const SourceText& source, const Scene& like, const Limits& limits) {
-    return read_table(std::make_shared<const SourceText>(source), like.shared_catalog(), limits);
+/// Edits that can be written at once: none touches bytes that another touches or stands beside.
+class Round {
+public:
+    explicit Round(const Reading& now) : now_(now) {}
+
+    /// Must the edit wait for the next round, because one before it does that it may build on?
+    bool must_wait(const Edit& edit) const {
+        const Node* node = now_.scene.find(edit.node);
+        const bool renames = node && edit.field >= 0 && edit.field < static_cast<int>(node->fields.size()) &&
+                             at(node->type->fields, edit.field).meta.meaning == Meaning::id;
+        return (renames && !waiting_.empty()) || std::find(waiting_.begin(), waiting_.end(), edit.node) != waiting_.end();
+    }
+    void wait(const Edit& edit) { waiting_.push_back(edit.node); }
+
+    /// False when the edit touches what another has taken. Fails with the reason when no text says the edit.
+    Result<bool> take(const Edit& edit) {
+        if (!is_changed_by(now_.scene, edit)) return true;
+        Result<Splice> splice = splice_for(now_, *now_.scene.find(edit.node), edit);
+        if (!splice) return tl::unexpected(splice.error());
+        const Span here = splice->replaced;
+        const bool touches = std::any_of(splices_.begin(), splices_.end(), [&](const Splice& other) {
+            return here.begin <= other.replaced.end && other.replaced.begin <= here.end;
+        });
+        if (!touches) splices_.push_back(std::move(*splice));
+        return !touches;
+    }
+
+    /// From the last in the text to the first, so that none moves another's place.
+    std::vector<TextPatch> patches() const {
+        std::vector<TextPatch> out;
+        for (const Splice& splice : splices_) out.push_back({now_.source().place(splice.replaced), splice.text});
+        std::sort(out.begin(), out.end(),
+                  [](const TextPatch& a, const TextPatch& b) { return a.replaced.span.begin > b.replaced.span.begin; });
+        return out;
+    }
+
+private:
+    const Reading& now_;
+    std::vector<Splice> splices_;
+    std::vector<NodeId> waiting_;
+};
+
+std::string patched(std::string text, const std::vector<TextPatch>& patches) {
+    for (const TextPatch& patch : patches) text.replace(patch.replaced.span.begin, patch.replaced.span.end - patch.replaced.span.begin, patch.text);
+    return text;
 }
 
-/// The patched text must be the same scene with exactly this edit.
-std::optional<std::string> refute(const TextPatch& patch, const SourceText& source, const Scene& now, const Edit& edit,
-                                  const Limits& limits) {
-    const ReadResult after = read_text(SourceText(source.name(), apply(patch, source.text())), now, limits);
+/// Why the text does not say what it should, or nothing.
+std::optional<std::string> refute(const Reading& after, const Scene& expected) {
     for (const Diagnostic& d : after.diagnostics)
         if (d.severity == Severity::error) return fmt::format("the text would say: {}", d.message);
-    Scene expected = now;
-    apply(expected, edit);
-    if (!after.scene.same_content(expected)) return "the text would change more than this value";
+    if (!same_content(after.scene, expected)) return "the text would change more than this value";
     return {};
 }
 
 }  // namespace
 
-std::string apply(const TextPatch& patch, const std::string& text) {
-    return text.substr(0, patch.replaced.begin) + patch.text + text.substr(patch.replaced.end);
-}
+std::string apply(const TextPatch& patch, const std::string& text) { return patched(text, {patch}); }
 
-TextPatch inverse(const TextPatch& patch, const std::string& text) {
-    const std::size_t begin = patch.replaced.begin;
-    return {{begin, begin + patch.text.size()}, text.substr(begin, patch.replaced.end - begin)};
-}
-
-Result<TextPatch> patch_for(const SourceText& source, const Scene& before, const Edit& edit, const Limits& limits) {
-    if (const auto why = why_invalid(before, edit)) return failure(*why);
-    const ReadResult now = read_text(source, before, limits);
-    if (!now.ok() || !now.scene.same_content(before)) return failure("the text is not what the scene was read from");
-    const auto id = counterpart(before, edit.node, now.scene);
-    if (!id) return failure("the node no longer exists");
-    const Edit here{*id, edit.field, edit.value, edit.is_explicit};
-    const Node& node = *now.scene.find(*id);
-    const FieldSlot& slot = at(node.fields, edit.field);
-    if (slot.is_explicit == edit.is_explicit && identical(slot.value, edit.value)) return TextPatch{};
-    if (!edit.is_explicit && !identical(edit.value, at(node.type->fields, edit.field).initial))
-        return failure("only a default value can be left out of the text");
-    const YamlTree tree = read_yaml(source, limits);
-    Result<TextPatch> patch = unverified_patch(source, tree, now.scene, node, here);
-    if (!patch) return patch;
-    if (const auto why = refute(*patch, source, now.scene, here, limits)) return failure(*why);
-    return patch;
+Result<PatchedText> patch_for(const Reading& now, std::span<const Edit> edits, const Limits& limits) {
+    const Reading* reading = &now;
+    std::optional<Reading> latest;
+    std::vector<TextPatch> all_patches;
+    int readings = 0;
+    Scene expected = now.scene;
+    std::vector<Edit> left(edits.begin(), edits.end());
+    while (!left.empty()) {
+        Round round(*reading);
+        std::vector<Edit> later;
+        for (Edit& edit : left) {
+            bool taken = !round.must_wait(edit);
+            if (taken) {
+                if (const auto why = why_invalid(expected, edit)) return failure(*why);
+                const Result<bool> free = round.take(edit);
+                if (!free) return tl::unexpected(free.error());
+                taken = *free;
+            }
+            if (taken) {
+                apply(expected, edit);
+            } else {
+                round.wait(edit);
+                later.push_back(std::move(edit));
+            }
+        }
+        left = std::move(later);
+        const std::vector<TextPatch> patches = round.patches();
+        if (patches.empty()) continue;
+        const SourceText& source = reading->source();
+        Reading after = read_table(std::make_shared<const SourceText>(source.name(), patched(source.text(), patches), source.file()),
+                                   now.scene.shared_catalog(), limits);
+        ++readings;
+        if (const auto why = refute(after, expected)) return failure(*why);
+        after.scene.take_ids_of(expected);
+        latest = std::move(after);
+        reading = &*latest;
+        all_patches.insert(all_patches.end(), patches.begin(), patches.end());
+    }
+    return PatchedText{std::move(all_patches), latest ? std::move(*latest) : now, readings};
 }
 
 }  // namespace pinfield

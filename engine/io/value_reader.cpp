@@ -188,15 +188,6 @@ std::optional<std::string> read_word(ReadContext& context, const FieldType& fiel
 
 }  // namespace
 
-std::string suggestion(std::string_view word, const std::vector<std::string_view>& candidates) {
-    // A hostile file has as many names as it likes; a table has fewer than this.
-    constexpr std::size_t most_compared = 500;
-    const std::span<const std::string_view> compared(candidates.data(), std::min(candidates.size(), most_compared));
-    if (const auto close = closest_match(word, compared)) return fmt::format("did you mean {}?", *close);
-    if (candidates.empty() || candidates.size() > 12) return {};
-    return fmt::format("one of: {}", fmt::join(candidates, ", "));
-}
-
 bool is_name(std::string_view text) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
     return !text.empty() && letter(text[0]) &&
@@ -218,7 +209,7 @@ bool report_comma_split(ReadContext& context, const YamlNode& value) {
         return false;
     // Its own field may have told of it already.
     const auto told = [&](const Diagnostic& d) {
-        return d.where == value.span && d.code == entry(Code::comma_split).code;
+        return d.where == context.source.place(value.span) && d.code == entry(Code::comma_split).code;
     };
     if (std::none_of(context.diagnostics.begin(), context.diagnostics.end(), told))
         context.report(Code::comma_split, value.span, "a comma split this expression", "quote it");

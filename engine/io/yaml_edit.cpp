@@ -42,15 +42,15 @@ std::size_t comma_after(std::string_view text, std::size_t at) {
     return next < text.size() && text[next] == ',' ? next : std::string_view::npos;
 }
 
-TextPatch insert(std::size_t at, std::string text) { return {{at, at}, std::move(text)}; }
+Splice insert(std::size_t at, std::string text) { return {{at, at}, std::move(text)}; }
 
-TextPatch insert_block(std::string_view text, const YamlNode& map, std::size_t index, std::string_view entry) {
+Splice insert_block(std::string_view text, const YamlNode& map, std::size_t index, std::string_view entry) {
     const std::string line = new_line_like(text, map.key(0));
     if (index == 0) return insert(map.key(0).span.begin, std::string(entry) + line);
     return insert(line_end(text, map.value(index - 1).span.end), line + std::string(entry));
 }
 
-TextPatch insert_flow(std::string_view text, const YamlNode& map, std::size_t index, std::string_view entry) {
+Splice insert_flow(std::string_view text, const YamlNode& map, std::size_t index, std::string_view entry) {
     if (map.entries() == 0) return insert(map.span.begin + 1, std::string(entry));
     if (index == 0) return insert(map.key(0).span.begin, fmt::format("{}, ", entry));
     const YamlNode& before = map.key(index - 1);
@@ -68,7 +68,7 @@ TextPatch insert_flow(std::string_view text, const YamlNode& map, std::size_t in
     return {{end, stop}, fmt::format(",{}{}{}", slice(text, end, stop), line, entry)};
 }
 
-TextPatch remove_line(std::string_view text, std::size_t begin, std::size_t last) {
+Splice remove_line(std::string_view text, std::size_t begin, std::size_t last) {
     const std::size_t from = line_begin(text, begin), to = next_line(text, last);
     if (to < text.size() || from == 0 || (to > 0 && text[to - 1] == '\n')) return {{from, to}, ""};
     const std::size_t before =
@@ -76,7 +76,7 @@ TextPatch remove_line(std::string_view text, std::size_t begin, std::size_t last
     return {{before, to}, ""};
 }
 
-TextPatch remove_block(std::string_view text, const YamlNode& map, std::size_t index) {
+Splice remove_block(std::string_view text, const YamlNode& map, std::size_t index) {
     const Span key = map.key(index).span, value = map.value(index).span;
     const std::size_t end = std::max(key.end, value.end);
     if (begins_its_line(text, key.begin)) return remove_line(text, key.begin, end);
@@ -84,7 +84,7 @@ TextPatch remove_block(std::string_view text, const YamlNode& map, std::size_t i
     return {{key.begin, end}, ""};
 }
 
-TextPatch remove_flow(std::string_view text, const YamlNode& map, std::size_t index) {
+Splice remove_flow(std::string_view text, const YamlNode& map, std::size_t index) {
     const std::size_t begin = map.key(index).span.begin,
                       end = std::max(map.key(index).span.end, map.value(index).span.end);
     const std::size_t comma = comma_after(text, end), after = comma == std::string_view::npos ? end : comma + 1;
@@ -92,7 +92,7 @@ TextPatch remove_flow(std::string_view text, const YamlNode& map, std::size_t in
     if (map.entries() == 1) {
         const bool nothing_else =
             only_blanks(text, map.span.begin + 1, begin) && only_blanks(text, after, map.span.end - 1);
-        return nothing_else ? TextPatch{{map.span.begin + 1, map.span.end - 1}, ""} : TextPatch{{begin, after}, ""};
+        return nothing_else ? Splice{{map.span.begin + 1, map.span.end - 1}, ""} : Splice{{begin, after}, ""};
     }
     if (begins_its_line(text, begin) && line_is_over(text, after)) return remove_line(text, begin, after);
     if (!last) {
@@ -106,18 +106,18 @@ TextPatch remove_flow(std::string_view text, const YamlNode& map, std::size_t in
 
 }  // namespace
 
-TextPatch insert_entry(std::string_view text, const YamlNode& map, std::size_t index, std::string_view entry) {
+Splice insert_entry(std::string_view text, const YamlNode& map, std::size_t index, std::string_view entry) {
     return map.style == YamlStyle::block ? insert_block(text, map, index, entry) : insert_flow(text, map, index, entry);
 }
 
-TextPatch insert_body(std::string_view text, const YamlNode& missing, std::string_view entry) {
+Splice insert_body(std::string_view text, const YamlNode& missing, std::string_view entry) {
     const Span span = missing.span;
     if (missing.kind == YamlKind::scalar) return {span, fmt::format("{{{}}}", entry)};
     const bool colon = span.begin > 0 && text[span.begin - 1] == ':';
     return {span, fmt::format("{} {{{}}}", colon ? "" : ":", entry)};
 }
 
-TextPatch remove_entry(std::string_view text, const YamlNode& map, std::size_t index) {
+Splice remove_entry(std::string_view text, const YamlNode& map, std::size_t index) {
     return map.style == YamlStyle::block ? remove_block(text, map, index) : remove_flow(text, map, index);
 }
 

@@ -40,14 +40,15 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
 
 /// The parser would take 0x04 for the end of the file and end a line at a lone carriage return: neither may come so
 /// far.
-std::optional<Diagnostic> check_characters(std::string_view text) {
+std::optional<Diagnostic> check_characters(const SourceText& source) {
+    const std::string_view text = source.text();
     for (std::size_t i = 0; i < text.size();) {
         const auto c = static_cast<unsigned char>(text[i]);
         if (c >= 0x20 && c < 0x7F) {
             ++i;
             continue;
         }
-        const Span here{i, i + 1};
+        const Place here = source.place({i, i + 1});
         if (c == 0) return diagnose(Code::control_character, here, "a NUL byte in the text", "is this a binary file?");
         const bool lone_return = c == '\r' && (i + 1 >= text.size() || text[i + 1] != '\n');
         if ((c < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7F || lone_return)
@@ -62,13 +63,14 @@ std::optional<Diagnostic> check_characters(std::string_view text) {
     return {};
 }
 
-void check_tabs(std::string_view text, Diagnostics& out) {
+void check_tabs(const SourceText& source, Diagnostics& out) {
+    const std::string_view text = source.text();
     if (text.find('\t') == std::string_view::npos) return;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = line_end(text, begin), content = std::min(skip_spaces(text, begin), end);
         const std::size_t tab = text.substr(begin, content - begin).find('\t');
         if (tab != std::string_view::npos && content < end && text[content] != '#')
-            out.push_back(diagnose(Code::tab_indentation, {begin + tab, begin + tab + 1}, "a tab in the indentation",
+            out.push_back(diagnose(Code::tab_indentation, source.place({begin + tab, begin + tab + 1}), "a tab in the indentation",
                                    "indent with spaces"));
         begin = text.find('\n', end);
         if (begin == std::string_view::npos || out.size() >= 20) return;
@@ -80,7 +82,8 @@ void check_tabs(std::string_view text, Diagnostics& out) {
 /// And it copies a scalar of megabytes before its length can be judged. A comma of a list and a dash that begins a
 /// line are an event, a colon with a blank is two, unless a text or a comment holds them; whoever writes more than the
 /// limit of those is told so before the parser has spent its third of a second on them.
-std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limits) {
+std::optional<Diagnostic> check_costs(const SourceText& source, const Limits& limits) {
+    const std::string_view text = source.text();
     const std::size_t most_open = 16 * limits.depth;
     std::array<bool, 256> ends_word{};
     for (const char c : std::string_view(" \n,[]{}:\"'#")) ends_word[static_cast<unsigned char>(c)] = true;
@@ -93,7 +96,7 @@ std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limit
         if (c == '[' || c == '{') open.push_back(c);
         if ((c == ']' || c == '}') && !open.empty()) open.pop_back();
         if (open.size() > most_open)
-            return diagnose(Code::too_deep, {i, i + 1}, fmt::format("more than {} brackets are open here", most_open),
+            return diagnose(Code::too_deep, source.place({i, i + 1}), fmt::format("more than {} brackets are open here", most_open),
                             fmt::format("at most {} levels may nest", limits.depth));
         const bool blank_follows =
             i + 1 == text.size() || text[i + 1] == ' ' || text[i + 1] == '\n' || text[i + 1] == '\r';
@@ -101,10 +104,10 @@ std::optional<Diagnostic> check_costs(std::string_view text, const Limits& limit
         if ((c == ',' && open.ends_with('[')) || (c == '-' && line_begins && blank_follows)) ++separators;
         line_begins = c == '\n' || (line_begins && (c == ' ' || c == '-'));
         if (separators > limits.events)
-            return diagnose(Code::too_many_events, {i, i + 1}, fmt::format("more than {} YAML events", limits.events));
+            return diagnose(Code::too_many_events, source.place({i, i + 1}), fmt::format("more than {} YAML events", limits.events));
         if (ends_word[static_cast<unsigned char>(c)]) run = 0;
         if (run > limits.scalar_bytes)
-            return diagnose(Code::scalar_too_long, {i + 1 - run, i + 1},
+            return diagnose(Code::scalar_too_long, source.place({i + 1 - run, i + 1}),
                             fmt::format("a word of more than {} bytes", limits.scalar_bytes));
     }
     return {};
@@ -155,17 +158,17 @@ std::size_t block_text_end(std::string_view text, std::size_t at, int indent) {
 Diagnostics check_text(const SourceText& source, const Limits& limits) {
     const std::string& text = source.text();
     if (text.size() > limits.file_bytes)
-        return {diagnose(Code::file_too_large, {0, 0},
+        return {diagnose(Code::file_too_large, source.place({0, 0}),
                          fmt::format("the file has {} bytes; at most {} are read", text.size(), limits.file_bytes))};
     // Before UTF-16, whose mark is the beginning of this one's.
     if (text.starts_with(std::string_view("\xFF\xFE\0\0", 4)) || text.starts_with(std::string_view("\0\0\xFE\xFF", 4)))
-        return {diagnose(Code::not_utf8, {0, 4}, "the file is UTF-32", "save it as UTF-8")};
+        return {diagnose(Code::not_utf8, source.place({0, 4}), "the file is UTF-32", "save it as UTF-8")};
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        return {diagnose(Code::not_utf8, {0, 2}, "the file is UTF-16", "save it as UTF-8")};
-    if (auto found = check_characters(text)) return {*found};
-    if (auto found = check_costs(text, limits)) return {*found};
+        return {diagnose(Code::not_utf8, source.place({0, 2}), "the file is UTF-16", "save it as UTF-8")};
+    if (auto found = check_characters(source)) return {*found};
+    if (auto found = check_costs(source, limits)) return {*found};
     Diagnostics out;
-    check_tabs(text, out);
+    check_tabs(source, out);
     return out;
 }
 

@@ -65,7 +65,8 @@ private:
 class Builder : public YAML::EventHandler {
 public:
     Builder(const SourceText& source, const Limits& limits, YamlTree& tree)
-        : text_(source.text()),
+        : source_(source),
+          text_(source.text()),
           limits_(limits),
           tree_(tree),
           mark_offset_(byte_order_mark(text_)),
@@ -201,7 +202,7 @@ private:
 
     void report(Code code, std::size_t place, std::string message, std::string hint = {}) {
         tree_.diagnostics.push_back(
-            diagnose(code, {place, std::min(place + 1, text_.size())}, std::move(message), std::move(hint)));
+            diagnose(code, source_.place({place, std::min(place + 1, text_.size())}), std::move(message), std::move(hint)));
     }
     [[noreturn]] void stop(Code code, std::size_t place, std::string message, std::string hint = {}) {
         report(code, place, std::move(message), std::move(hint));
@@ -345,6 +346,7 @@ private:
         }
     }
 
+    const SourceText& source_;
     std::string_view text_;
     const Limits& limits_;
     YamlTree& tree_;
@@ -377,7 +379,7 @@ YamlTree read_yaml(const SourceText& source, const Limits& limits) {
     Builder(source, limits, tree).parse();
     if (!tree.root && tree.diagnostics.empty())
         tree.diagnostics.push_back(
-            diagnose(Code::empty_file, {0, 0}, "the file holds no table", "begin with: pinfield: 1"));
+            diagnose(Code::empty_file, source.place({0, 0}), "the file holds no table", "begin with: pinfield: 1"));
     return tree;
 }
 

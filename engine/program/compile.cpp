@@ -5,6 +5,7 @@
 #include "engine/core/error_codes.h"
 #include "engine/program/compile_item.h"
 #include "engine/program/field.h"
+#include "engine/scene/validate.h"
 
 namespace pinfield {
 namespace {
@@ -42,17 +43,11 @@ void add_part(CompileContext& context, const Item& item, Program& program) {
     }
 }
 
-/// Layers without a domain of their own get the table's box; more than one domain a layer is the author's mistake.
+/// Layers without a domain of their own get the table's box.
 void add_missing_domain(CompileContext& context, const std::vector<Item>& items, Program& program) {
     LayerMask bounded = 0;
-    for (const Item& item : items) {
-        if (item.role != Role::boundary) continue;
-        const LayerMask layers = layers_of(context, item.node);
-        if (bounded & layers)
-            context.problems.push_back(
-                diagnose(Code::second_domain, context.scene.find(item.node)->key, "this layer has a domain already"));
-        bounded |= layers;
-    }
+    for (const Item& item : items)
+        if (item.role == Role::boundary) bounded |= layers_of(context, item.node);
     const LayerMask all = static_cast<LayerMask>((std::uint64_t{1} << context.layers.size()) - 1);
     if (bounded != all) append(program.fixed, compile_default_domain(context, all & ~bounded));
 }
@@ -60,6 +55,7 @@ void add_missing_domain(CompileContext& context, const std::vector<Item>& items,
 }  // namespace
 
 tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
+    if (Diagnostics findings = validate(scene); has_errors(findings)) return tl::unexpected(std::move(findings));
     std::vector<Item> items;
     for (const NodeId root : scene.roots()) collect_items(scene, root, items);
     CompileContext context(scene, layer_names(scene, items));

@@ -1,9 +1,9 @@
 #include "engine/program/compile_item.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "engine/core/at.h"
-#include "engine/core/error_codes.h"
 #include "engine/core/trig.h"
 #include "engine/program/field.h"
 #include "engine/sdf/piece_distance.h"
@@ -50,13 +50,11 @@ double farthest_from_origin(const Field& field) {
     return farthest;
 }
 
-int input_index(CompileContext& context, const Node& node, const std::string& name, Span where) {
-    const auto& inputs = context.scene.inputs;
+int input_index(const Scene& scene, const std::string& name) {
+    const auto& inputs = scene.inputs;
     const auto at = std::find_if(inputs.begin(), inputs.end(), [&](const InputBinding& i) { return i.name == name; });
-    if (at != inputs.end()) return static_cast<int>(at - inputs.begin());
-    context.problems.push_back(
-        diagnose(Code::unknown_input, where == Span{} ? node.where : where, "no input is named '" + name + "'"));
-    return -1;
+    assert(at != inputs.end() && "validate() lets no unknown input pass");
+    return static_cast<int>(at - inputs.begin());
 }
 
 }  // namespace
@@ -88,7 +86,7 @@ NodeId scene_node_of(const Scene& scene, NodeId id) {
 }
 
 std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>& items) {
-    std::vector<std::string> names{ground_layer_name};
+    std::vector<std::string> names{std::string(ground_layer_name)};
     for (const Item& item : items)
         for (const Node* node = scene.find(item.node); node; node = node->parent ? scene.find(node->parent) : nullptr)
             for (const std::string& layer : node->get<std::vector<std::string>>("layer"))
@@ -97,15 +95,10 @@ std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>
 }
 
 LayerMask layers_of(const CompileContext& context, NodeId id) {
-    for (const Node* node = context.scene.find(id); node;
-         node = node->parent ? context.scene.find(node->parent) : nullptr) {
-        LayerMask mask = 0;
-        for (const std::string& layer : node->get<std::vector<std::string>>("layer"))
-            mask |= LayerMask{1} << (std::find(context.layers.begin(), context.layers.end(), layer) -
-                                     context.layers.begin());
-        if (mask != 0) return mask;
-    }
-    return ground_layer;
+    LayerMask mask = 0;
+    for (const std::string& layer : context.scene.layers(id))
+        mask |= LayerMask{1} << (std::find(context.layers.begin(), context.layers.end(), layer) - context.layers.begin());
+    return mask;
 }
 
 Part compile_part(CompileContext& context, const Item& item) {
@@ -122,7 +115,7 @@ Part compile_part(CompileContext& context, const Item& item) {
         values.push_back(slot.value);
         if (at(node.type->fields, i).meta.meaning != Meaning::input) continue;
         for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
-            part.inputs.push_back(input_index(context, node, name, slot.where));
+            part.inputs.push_back(input_index(context.scene, name));
     }
     part.params = pack(*node.type, values);
     return part;

@@ -70,8 +70,6 @@ int Emitter::emit_node(NodeId id, const Similarity& field_from_node) {
         children.push_back(emit_node(child, field_from_node * parent_from_local(*scene_.find(child))));
     const sdf::Kernels& kernels = *node.type->kernels;
     std::vector<double> block = pack(*node.type, own_values(node), kernels.derived_count);
-    if (const auto broken = broken_contract(*node.type, block.data()))
-        context_.problems.push_back(diagnose(Code::broken_contract, node.key, std::string(*broken)));
     kernels.derive(block.data());
     // An offset of a bound is the offset of some other figure.
     if (kernels.affine && !children.empty()) {
@@ -99,7 +97,7 @@ int Emitter::by_its_boundary(int child) {
 int Emitter::with_neighbours(int child, const sdf::Lattice& lattice, NodeId origin, const Similarity& field_from_op) {
     const Op& below = at(field_.ops, child);
     const Box2 box = field_from_op.inverse() * below.bounds;
-    const Span& place = scene_.find(origin)->key;
+    const Place& place = scene_.find(origin)->key;
     if (!box.is_empty() && !box.is_finite()) {
         context_.problems.push_back(diagnose(Code::broken_contract, place, "what has no end cannot be repeated without end"));
         return child;
@@ -214,30 +212,6 @@ bool is_visible(const Scene& scene, NodeId id) {
     return true;
 }
 
-/// Refuses trees that the formulas could not be asked about: operations without operands, parts among shapes.
-bool has_enough_children(const Scene& scene, NodeId id, Diagnostics& problems) {
-    const Node& node = *scene.find(id);
-    const ChildCount allowed = node.type->meta.children;
-    const int count = static_cast<int>(node.children.size());
-    bool fine = true;
-    if (count < allowed.min || count > allowed.max) {
-        problems.push_back(diagnose(Code::child_count, node.key,
-                                    fmt::format("{} takes {} {} children, not {}", node.type->key(),
-                                                count < allowed.min ? "at least" : "at most",
-                                                count < allowed.min ? allowed.min : allowed.max, count)));
-        fine = false;
-    }
-    for (const NodeId child : node.children) {
-        if (!scene.find(child)->type->kernels) {
-            problems.push_back(
-                diagnose(Code::misplaced_part, scene.find(child)->key, "only shapes and operations may stand here"));
-            return false;
-        }
-        fine = has_enough_children(scene, child, problems) && fine;
-    }
-    return fine;
-}
-
 /// How many shapes there are to see at and below a node; refuses repetitions within repetitions, which multiply, before anything is made
 /// of them.
 double appearances(const Scene& scene, NodeId id, Diagnostics& problems) {
@@ -263,7 +237,6 @@ double appearances(const Scene& scene, NodeId id, Diagnostics& problems) {
 
 Field compile_solid(CompileContext& context, const Item& item, const Similarity& field_from_node) {
     Field field;
-    if (!has_enough_children(context.scene, item.node, context.problems)) return field;
     const std::size_t problems_before = context.problems.size();
     appearances(context.scene, item.node, context.problems);
     if (context.problems.size() > problems_before) return field;

@@ -5,27 +5,14 @@
 #include <cassert>
 
 #include "engine/core/at.h"
-#include "engine/sdf/kernels.h"
+#include "engine/scene/validate.h"
 
 namespace pinfield {
 namespace {
 
 bool is_id_field(const FieldType& field) { return field.common && field.meta.meaning == Meaning::id; }
 
-/// A contract may read what derive() fills in, so the block has room for it.
-std::optional<std::string_view> contract_broken_by(const Node& node, int field, const Value& value) {
-    const NodeType& type = *node.type;
-    std::vector<Value> own;
-    for (int i = 0; i < type.own_fields; ++i) own.push_back(i == field ? value : at(node.fields, i).value);
-    const std::vector<double> params = pack(type, own, type.kernels ? type.kernels->derived_count : 0);
-    return broken_contract(type, params.data());
-}
-
 }  // namespace
-
-std::optional<std::string_view> broken_contract(const Node& node) {
-    return contract_broken_by(node, -1, {});
-}
 
 std::optional<std::string> why_invalid(const Scene& scene, const Edit& edit) {
     const Node* node = scene.find(edit.node);
@@ -35,11 +22,14 @@ std::optional<std::string> why_invalid(const Scene& scene, const Edit& edit) {
     if (auto why = why_invalid(field, edit.value)) return fmt::format("{} {}", field.key, *why);
     if (is_id_field(field)) {
         const auto& id = std::get<std::string>(edit.value);
-        const Node* holder = id.empty() ? nullptr : scene.find(id);
-        if (holder && holder->id != edit.node) return fmt::format("the id {} is taken", id);
+        if (!id.empty() && is_id_taken(scene, id, edit.node)) return taken_id(id);
     }
-    if (const auto sentence = contract_broken_by(*node, edit.field, edit.value))
-        return fmt::format("{} must hold", *sentence);
+    Node changed = *node;
+    at(changed.fields, edit.field).value = edit.value;
+    Diagnostics findings;
+    check_references(KnownNames(scene), field, at(changed.fields, edit.field), 1, findings);
+    if (auto broken = broken_contract(changed)) findings.push_back(std::move(*broken));
+    if (!findings.empty()) return findings.front().message;
     return {};
 }
 

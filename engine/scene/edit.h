@@ -16,10 +16,8 @@ struct Edit {
     bool is_explicit = true;
 };
 
-/// Sentence of the first contract that the node's values break, or nothing. Ranges are checked by why_invalid().
-std::optional<std::string_view> broken_contract(const Node& node);
-
-/// Why an edit cannot be applied (range, kind, contract, an id that is taken), or nothing.
+/// Why an edit cannot be applied (range, kind, contract, an id that is taken, a material that there is none of), or nothing: what
+/// validate() would say of the scene with it.
 std::optional<std::string> why_invalid(const Scene& scene, const Edit& edit);
 
 /// Applies an edit that why_invalid() lets pass and returns the edit that undoes it, bit for bit.

@@ -22,32 +22,6 @@ int index_among(const Scene& scene, const std::vector<NodeId>& siblings, const N
     return index;
 }
 
-bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
-    if (x.type->key() != y.type->key() || x.name != y.name || x.fields.size() != y.fields.size() ||
-        x.children.size() != y.children.size())
-        return false;
-    for (std::size_t i = 0; i < x.fields.size(); ++i)
-        if (x.fields[i].is_explicit != y.fields[i].is_explicit || !identical(x.fields[i].value, y.fields[i].value)) return false;
-    for (std::size_t i = 0; i < x.children.size(); ++i)
-        if (!same_node(a, *a.find(x.children[i]), b, *b.find(y.children[i]))) return false;
-    return true;
-}
-
-bool same_nodes(const Scene& a, const std::vector<NodeId>& x, const Scene& b, const std::vector<NodeId>& y) {
-    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
-                      [&](NodeId i, NodeId j) { return same_node(a, *a.find(i), b, *b.find(j)); });
-}
-
-bool same_test(const TableTest& a, const TableTest& b) {
-    return a.name == b.name && a.run == b.run &&
-           std::equal(a.launches.begin(), a.launches.end(), b.launches.begin(), b.launches.end(),
-                      [](const auto& x, const auto& y) { return x.at == y.at && x.velocity == y.velocity; }) &&
-           std::equal(a.expectations.begin(), a.expectations.end(), b.expectations.begin(), b.expectations.end(),
-                      [](const auto& x, const auto& y) {
-                          return x.quantity == y.quantity && x.comparison == y.comparison && x.value == y.value;
-                      });
-}
-
 }  // namespace
 
 const Value& Node::value(std::string_view key_of_field) const {
@@ -152,6 +126,12 @@ std::string Scene::material_name(NodeId id) const {
     return "default";
 }
 
+std::vector<std::string> Scene::layers(NodeId id) const {
+    for (const Node* node = find(id); node; node = node->parent ? find(node->parent) : nullptr)
+        if (const auto& own = node->get<std::vector<std::string>>("layer"); !own.empty()) return own;
+    return {std::string(ground_layer_name)};
+}
+
 void Scene::keep_ids_of(const Scene& before) {
     std::map<std::string, NodeId> old_ids;
     const std::map<NodeId, std::string> old_paths = before.paths(), new_paths = paths();
@@ -164,7 +144,20 @@ void Scene::keep_ids_of(const Scene& before) {
         renamed[id] = known ? match->second : NodeId{next++};
     }
     next_id_ = next;
-    const auto rename = [&](NodeId& id) { if (id) id = renamed.at(id); };
+    rename(renamed);
+}
+
+void Scene::take_ids_of(const Scene& twin) {
+    const std::vector<NodeId> mine = all(), theirs = twin.all();
+    assert(mine.size() == theirs.size() && "take_ids_of() is for scenes of the same nodes");
+    std::map<NodeId, NodeId> renamed;
+    for (std::size_t i = 0; i < mine.size(); ++i) renamed[mine[i]] = theirs[i];
+    next_id_ = twin.next_id_;
+    rename(renamed);
+}
+
+void Scene::rename(const std::map<NodeId, NodeId>& new_ids) {
+    const auto rename = [&](NodeId& id) { if (id) id = new_ids.at(id); };
     std::map<NodeId, Node> nodes;
     for (auto& [id, node] : nodes_) {
         rename(node.id);
@@ -180,12 +173,20 @@ void Scene::keep_ids_of(const Scene& before) {
     rename(physics_);
 }
 
-bool Scene::same_content(const Scene& other) const {
-    return same_node(*this, table(), other, other.table()) && same_node(*this, physics(), other, other.physics()) &&
-           same_nodes(*this, materials_, other, other.materials_) && same_nodes(*this, roots_, other, other.roots_) &&
-           std::equal(inputs.begin(), inputs.end(), other.inputs.begin(), other.inputs.end(),
-                      [](const auto& a, const auto& b) { return a.name == b.name && a.keys == b.keys; }) &&
-           std::equal(tests.begin(), tests.end(), other.tests.begin(), other.tests.end(), same_test);
+bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
+    if (x.type->key() != y.type->key() || x.name != y.name || x.fields.size() != y.fields.size() ||
+        x.children.size() != y.children.size())
+        return false;
+    for (std::size_t i = 0; i < x.fields.size(); ++i)
+        if (x.fields[i].is_explicit != y.fields[i].is_explicit || !identical(x.fields[i].value, y.fields[i].value)) return false;
+    for (std::size_t i = 0; i < x.children.size(); ++i)
+        if (!same_node(a, *a.find(x.children[i]), b, *b.find(y.children[i]))) return false;
+    return true;
+}
+
+bool same_nodes(const Scene& a, const std::vector<NodeId>& x, const Scene& b, const std::vector<NodeId>& y) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(),
+                      [&](NodeId i, NodeId j) { return same_node(a, *a.find(i), b, *b.find(j)); });
 }
 
 Similarity parent_from_local(const Node& node) {

@@ -14,11 +14,11 @@
 
 namespace pinfield {
 
-/// A field's value and, when the author wrote it, the byte range of that value in the text.
+/// A field's value and, when the author wrote it, where that value stands.
 struct FieldSlot {
     Value value;
     bool is_explicit = false;
-    Span where{};
+    Place where{};
 };
 
 /// One node of the scene, or one record (table, physics, a material): same shape, so that every tool handles both alike.
@@ -29,8 +29,8 @@ struct Node {
     std::vector<FieldSlot> fields;  ///< parallel to type->fields
     std::vector<NodeId> children;
     NodeId parent;                  ///< none at the top level
-    Span where{};                   ///< the whole node: from its key to the end of its last value
-    Span key{};                     ///< its type's word (or a material's name) in the text
+    Place where{};                  ///< the whole node: from its key to the end of its last value
+    Place key{};                    ///< its type's word (or a material's name) in the text
 
     const Value& value(std::string_view key_of_field) const;
     /// Does the field mean anything beside the values of the others (FieldMeta::only_with)?
@@ -43,7 +43,7 @@ struct Node {
 struct InputBinding {
     std::string name;
     std::vector<std::string> keys;
-    Span where{};
+    Place where{};
 };
 
 /// An entry of `tests:`.
@@ -56,14 +56,17 @@ struct TableTest {
         std::string comparison;  ///< == != < <= > >=
         double value = 0;
         std::string text;        ///< as the author wrote it
-        Span where{};
+        Place where{};
     };
     std::string name;
     std::vector<Launch> launches;
     double run = 1;  ///< seconds
     std::vector<Expectation> expectations;
-    Span where{};
+    Place where{};
 };
+
+/// The name that every table's ground layer goes by.
+inline constexpr std::string_view ground_layer_name = "ground";
 
 class Scene {
 public:
@@ -97,17 +100,21 @@ public:
     /// Name of a node's material: its own, else the nearest ancestor's that names one, else "default". It may not be defined.
     std::string material_name(NodeId id) const;
 
+    /// Names of the layers a node is on: its own, else the nearest ancestor's that names some, else the ground.
+    std::vector<std::string> layers(NodeId id) const;
+
+    Sources sources;  ///< the texts that places in the scene refer to; none when it was not read from a text
     std::vector<InputBinding> inputs;
     std::vector<TableTest> tests;
 
     /// Gives nodes of this freshly read scene the ids they had in `before`: matched by author's id, else by path.
     void keep_ids_of(const Scene& before);
-
-    /// Same nodes, order, types, values bit for bit, inputs and tests; places in the text and ids do not count.
-    bool same_content(const Scene& other) const;
+    /// The same where both scenes have the same nodes in the same order.
+    void take_ids_of(const Scene& twin);
 
 private:
     Node& insert(const NodeType& type, NodeId parent);
+    void rename(const std::map<NodeId, NodeId>& new_ids);
 
     std::shared_ptr<const Catalog> catalog_;
     std::map<NodeId, Node> nodes_;
@@ -115,6 +122,10 @@ private:
     NodeId table_, physics_;
     std::uint32_t next_id_ = 1;
 };
+
+/// Same type, name, values bit for bit and children of the same sort; places in the text and ids do not count.
+bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y);
+bool same_nodes(const Scene& a, const std::vector<NodeId>& x, const Scene& b, const std::vector<NodeId>& y);
 
 /// local frame -> parent's frame, from the common fields at, turn, scale and flip.
 Similarity parent_from_local(const Node& node);

@@ -19,8 +19,8 @@ using namespace pinfield;
 
 namespace {
 
-void print(const Diagnostics& diagnostics, const SourceText& source) {
-    for (const Diagnostic& diagnostic : diagnostics) fmt::print(stderr, "{}\n", format(diagnostic, source));
+void print(const Diagnostics& diagnostics, const Sources& sources) {
+    for (const Diagnostic& diagnostic : diagnostics) fmt::print(stderr, "{}\n", format(diagnostic, sources));
 }
 
 bool draw(const Program& program, const std::string& path) {
@@ -72,10 +72,10 @@ int main(int argc, char** argv) {
 
     const auto table = load_table(argv[1], catalog);
     if (!table) return fmt::print(stderr, "{}\n", table.error().message), 3;
-    print(table->diagnostics, *table->source);
+    print(table->diagnostics, table->scene.sources);
     if (!table->ok()) return 1;
     const auto program = compile(table->scene);
-    if (!program) return print(program.error(), *table->source), 1;
+    if (!program) return print(program.error(), table->scene.sources), 1;
 
     if (!draw(**program, argv[2])) return 3;
     return play(table->scene, *program, 20) ? 0 : 1;

@@ -25,9 +25,9 @@ TEST_CASE("every node has an example scene that uses it, reads without complaint
         const std::string path = folder() + std::string(type.key()) + ".yaml";
         expected.insert(std::string(type.key()) + ".yaml");
         INFO(path);
-        const Result<LoadedTable> loaded = load_table(path, catalog);
+        const Result<Reading> loaded = load_table(path, catalog);
         REQUIRE(loaded.has_value());
-        for (const Diagnostic& diagnostic : loaded->diagnostics) FAIL_CHECK(format(diagnostic, *loaded->source));
+        for (const Diagnostic& diagnostic : loaded->diagnostics) FAIL_CHECK(format(diagnostic, loaded->scene.sources));
         bool used = false;
         for (const NodeId id : loaded->scene.all()) used = used || loaded->scene.find(id)->type == &type;
         CHECK(used);

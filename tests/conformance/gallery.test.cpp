@@ -33,9 +33,9 @@ struct Gallery {
 
 Gallery open_gallery() {
     const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
-    const Result<LoadedTable> table = load_table(test::source_dir() + "/scenes/tables/gallery.yaml", catalog);
+    const Result<Reading> table = load_table(test::source_dir() + "/scenes/tables/gallery.yaml", catalog);
     REQUIRE(table.has_value());
-    for (const Diagnostic& diagnostic : table->diagnostics) FAIL_CHECK(format(diagnostic, *table->source));
+    for (const Diagnostic& diagnostic : table->diagnostics) FAIL_CHECK(format(diagnostic, table->scene.sources));
     const auto program = compile(table->scene);
     REQUIRE(program.has_value());
     return {table->scene, *program};

@@ -31,9 +31,9 @@ void check_round_trip(const std::shared_ptr<const Catalog>& catalog, const NodeT
     const std::string written = write_table(scene_with(catalog, type, values));
     INFO(written);
     const auto source = std::make_shared<const SourceText>("written.yaml", written);
-    const ReadResult read = read_table(source, catalog);
+    const Reading read = read_table(source, catalog);
     for (const Diagnostic& diagnostic : read.diagnostics)
-        if (diagnostic.severity == Severity::error) FAIL_CHECK(format(diagnostic, *source));
+        if (diagnostic.severity == Severity::error) FAIL_CHECK(format(diagnostic, read.scene.sources));
     REQUIRE(read.scene.roots().size() == 1);
     const Node& node = *read.scene.find(read.scene.roots()[0]);
     CHECK(node.type == &type);
@@ -66,7 +66,7 @@ TEST_CASE("every node refuses a key that it has no field for, where it stands") 
         INFO(text);
         bool refused = false;  // some nodes miss their children, too
         for (const Diagnostic& found : read_table(std::make_shared<const SourceText>("wrong.yaml", text), catalog).diagnostics)
-            refused = refused || (found.severity == Severity::error && text.substr(found.where.begin, 8) == "no_field");
+            refused = refused || (found.severity == Severity::error && text.substr(found.where.span.begin, 8) == "no_field");
         CHECK(refused);
     }
 }

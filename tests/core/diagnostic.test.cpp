@@ -12,8 +12,8 @@ namespace {
 
 /// The message for one byte of a text of one line.
 std::string shown(const std::string& line, std::size_t byte) {
-    const SourceText source("t.yaml", line + "\n");
-    return format({"E0000", Severity::error, "what", {byte, byte + 1}, ""}, source);
+    const Sources sources(SourceText("t.yaml", line + "\n"));
+    return format({"E0000", Severity::error, "what", sources.main().place({byte, byte + 1}), ""}, sources);
 }
 
 /// The character of the shown line that stands over the caret.

@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "editor/edit_tools.h"
+#include "engine/io/same_content.h"
+#include "engine/io/same_content.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -55,7 +57,7 @@ TEST_CASE("undoing everything restores every byte, and doing it again every byte
     CHECK(document.scene().find("bang")->get<double>("threshold") == 0.1);
     // What the scene holds is what the text says.
     REQUIRE(document.save());
-    CHECK(document.scene().same_content(Document::open(document.path(), catalog())->scene()));
+    CHECK(same_content(document.scene(), Document::open(document.path(), catalog())->scene()));
 }
 
 TEST_CASE("nodes keep their ids when they are renamed, and back again") {
@@ -222,7 +224,7 @@ TEST_CASE("a file broken outside leaves the last good table and tells the line, 
     CHECK(document.check_disk() == DiskState::broken);
     CHECK(document.check_disk() == DiskState::broken);
     REQUIRE(has_errors(document.diagnostics()));
-    CHECK(document.diagnosed().place(document.diagnostics()[0].where.begin).line == 8);
+    CHECK(document.diagnosed().line_column(document.diagnostics()[0].where).line == 8);
     CHECK(document.scene().find("pop")->get<double>("radius") == 0.024);
     CHECK(document.take_changes().empty());
     SECTION("mended as it was") {
@@ -241,7 +243,7 @@ TEST_CASE("a file with errors opens and says what is wrong") {
     const Folder folder;
     const Document document = opened(folder, "pinfield: 1\nscene:\n  - circle: {radius: 5 parsecs}\n");
     REQUIRE(has_errors(document.diagnostics()));
-    CHECK(document.diagnosed().place(document.diagnostics()[0].where.begin).line == 3);
+    CHECK(document.diagnosed().line_column(document.diagnostics()[0].where).line == 3);
 }
 
 TEST_CASE("a new table is whole and clean, and has no file to save to") {

@@ -79,7 +79,9 @@ TEST_CASE("what runs after any sequence of live edits is what a fresh compile gi
 TEST_CASE("an edit that does not compile keeps the last good program running, and mending it goes on") {
     const Folder folder;
     AppState state = opened_state(folder);
-    REQUIRE_FALSE(state.document.preview(change(state.document, "bat", "input", std::vector<std::string>{"nobody"})));
+    std::vector<std::string> too_many;
+    for (int i = 0; i < 40; ++i) too_many.push_back("layer_" + std::to_string(i));
+    REQUIRE_FALSE(state.document.preview(change(state.document, "bat", "layer", too_many)));
     const std::vector<double> good = fingerprint(state.session.program());
     advance(state, 5);
     REQUIRE_FALSE(state.session.problems().empty());
@@ -101,7 +103,7 @@ TEST_CASE("a doubt about what runs is told and stands where the text has it, and
     const auto told = [&] { return state.session.problems(); };
     REQUIRE(told().size() == 1);
     CHECK(told()[0].code == "W0503");
-    CHECK(state.document.source().place(told()[0].where.begin) == LineColumn{3, 5});
+    CHECK(state.document.scene().sources.line_column(told()[0].where) == LineColumn{3, 5});
     edit(state, change(state.document, "soft", "radius", 0.006), "a");  // a patch
     advance(state, 3);
     CHECK(told().size() == 1);

@@ -41,7 +41,7 @@ Answer answer_to(const std::string& text) {
     const pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {
-        const ReadResult result = read(text);
+        const Reading result = read(text);
         std::string first = result.diagnostics.empty() ? "fine" : codes_and_places(result).front();
         first += "\n" + told(result).substr(0, 1000);
         const bool sent = write(ends[1], first.data(), first.size()) == static_cast<ssize_t>(first.size());
@@ -196,10 +196,11 @@ TEST_CASE("no mutation of a table crashes or hangs the reader, and what still re
                     default: text.insert(at, text.substr(rng.next_u64() % text.size(), rng.next_u64() % 40));
                 }
             }
-            const ReadResult result = read(text);
+            const Reading result = read(text);
             for (const Diagnostic& d : result.diagnostics) {
-                REQUIRE(d.where.begin <= d.where.end);
-                REQUIRE(d.where.end <= text.size());
+                REQUIRE(d.where.file == main_file);
+                REQUIRE(d.where.span.begin <= d.where.span.end);
+                REQUIRE(d.where.span.end <= text.size());
             }
             if (!result.ok()) continue;
             ++still_good;

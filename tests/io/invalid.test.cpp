@@ -36,7 +36,7 @@ TEST_CASE("each invalid scene gets exactly the codes it announces, where it anno
     CHECK(files.size() >= 25);
     for (const auto& path : files) {
         const std::string text = file_text(path);
-        const ReadResult result = read(text);
+        const Reading result = read(text);
         INFO(path.filename().string() << "\n" << told(result));
         REQUIRE_FALSE(expected(text).empty());
         CHECK(codes_and_places(result) == expected(text));

@@ -45,7 +45,7 @@ TEST_CASE("every kind of step reads") {
     CHECK(script.steps[6].name == "out.png");
     CHECK(script.steps[7].value == "[0.3, 40cm]");
     CHECK(script.steps[7].tolerance == "1mm");
-    CHECK(source.place(script.steps[7].where.begin) == LineColumn{8, 4});
+    CHECK(source.line_column(script.steps[7].where.span.begin) == LineColumn{8, 4});
 }
 
 TEST_CASE("a script is read as strictly as a table") {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/rng.h"
+#include "engine/io/same_content.h"
 #include "engine/io/table_reader.h"
 #include "engine/scene/catalog.h"
 #include "engine/scene/edit.h"
@@ -21,21 +22,21 @@ inline std::shared_ptr<const Catalog> catalog() {
     return shared;
 }
 
-inline ReadResult read(const std::string& text, const Limits& limits = {}) {
+inline Reading read(const std::string& text, const Limits& limits = {}) {
     return read_table(std::make_shared<const SourceText>("test.yaml", text), catalog(), limits);
 }
 
-inline std::string told(const ReadResult& result) {
+inline std::string told(const Reading& result) {
     std::string out;
-    for (const Diagnostic& d : result.diagnostics) out += format(d, *result.source);
+    for (const Diagnostic& d : result.diagnostics) out += format(d, result.scene.sources);
     return out;
 }
 
 /// "E0203 4:15" of every diagnostic.
-inline std::vector<std::string> codes_and_places(const ReadResult& result) {
+inline std::vector<std::string> codes_and_places(const Reading& result) {
     std::vector<std::string> out;
     for (const Diagnostic& d : result.diagnostics) {
-        const LineColumn at = result.source->place(d.where.begin);
+        const LineColumn at = result.scene.sources.line_column(d.where);
         out.push_back(d.code + " " + std::to_string(at.line) + ":" + std::to_string(at.column));
     }
     return out;

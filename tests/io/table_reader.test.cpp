@@ -22,7 +22,7 @@ TEST_CASE("a small table reads into typed nodes with places") {
         "      children: [circle: {radius: 3cm}, {box: {size: [1cm, 2cm]}}]\n"
         "inputs: {left: [Z, LeftShift], right: Slash}\n"
         "tests: [{launch: {at: [0.1, 40cm], velocity: [0, 3]}, run: 300ms, expect: [escaped == 0, pop.hits >= 1]}]\n";
-    const ReadResult result = read(text);
+    const Reading result = read(text);
     INFO(told(result));
     REQUIRE(result.ok());
     CHECK(result.diagnostics.empty());
@@ -33,9 +33,9 @@ TEST_CASE("a small table reads into typed nodes with places") {
     CHECK(pop.get<double>("radius") == 0.024);
     const FieldSlot& radius = at(pop.fields, *pop.type->find_field("radius"));
     CHECK(radius.is_explicit);
-    CHECK(result.source->slice(radius.where) == "24mm");
-    CHECK(result.source->slice(pop.key) == "bumper");
-    CHECK(result.source->slice(pop.where) == "bumper: {id: pop, at: [0.26, 80cm], radius: 24mm, material: rubber}");
+    CHECK(result.scene.sources.slice(radius.where) == "24mm");
+    CHECK(result.scene.sources.slice(pop.key) == "bumper");
+    CHECK(result.scene.sources.slice(pop.where) == "bumper: {id: pop, at: [0.26, 80cm], radius: 24mm, material: rubber}");
     CHECK_FALSE(at(pop.fields, *pop.type->find_field("turn")).is_explicit);
     CHECK(scene.find("flipper[0]")->get<double>("turn") == Approx(28.6478897565));
     CHECK(scene.find("flipper[0]")->get<std::vector<std::string>>("input") ==
@@ -56,14 +56,14 @@ TEST_CASE("a small table reads into typed nodes with places") {
 
 TEST_CASE("every good table reads without a word") {
     for (const auto& [name, text] : good_tables()) {
-        const ReadResult result = read(text);
+        const Reading result = read(text);
         INFO(name << "\n" << told(result));
         CHECK(result.diagnostics.empty());
     }
 }
 
 TEST_CASE("scalars mean nothing special before a field gives them a type") {
-    const ReadResult result =
+    const Reading result =
         read("pinfield: 1\ntable: {name: 010, author: yes}\nscene: [group: {note: 2024-01-01}, group: {note: null}]\n");
     INFO(told(result));
     REQUIRE(result.ok());
@@ -74,7 +74,7 @@ TEST_CASE("scalars mean nothing special before a field gives them a type") {
 }
 
 TEST_CASE("plain anchors and aliases work, and an error in what they share is told where it stands") {
-    const ReadResult good =
+    const Reading good =
         read("pinfield: 1\nscene:\n  - circle: &c {radius: &r 3cm}\n  - circle: *c\n  - bumper: {radius: *r}\n");
     INFO(told(good));
     REQUIRE(good.ok());
@@ -85,7 +85,7 @@ TEST_CASE("plain anchors and aliases work, and an error in what they share is to
 }
 
 TEST_CASE("an alias whose anchor stands before a key is told at the alias, with what to write") {
-    const ReadResult result =
+    const Reading result =
         read("pinfield: 1\nscene:\n  - &whole union:\n      children: [circle: {}]\n  - *whole\n");
     CHECK(codes_and_places(result) == std::vector<std::string>{"E0201 5:5"});
     CHECK(result.diagnostics[0].message == "*whole is only the word union: in line 3 its anchor stands before a key");
@@ -94,7 +94,7 @@ TEST_CASE("an alias whose anchor stands before a key is told at the alias, with 
 }
 
 TEST_CASE("children that are no list are one error, not also too few") {
-    const ReadResult result = read("pinfield: 1\nscene:\n  - union: {children: {circle: {}}}\n");
+    const Reading result = read("pinfield: 1\nscene:\n  - union: {children: {circle: {}}}\n");
     CHECK(codes_and_places(result) == std::vector<std::string>{"E0201 3:23"});
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a file in UTF-32 is called that") {
 }
 
 TEST_CASE("all errors of a file are told in one run, in the order of the text") {
-    const ReadResult result = read(
+    const Reading result = read(
         "pinfield: 1\ntable: {sise: [1, 2]}\nscene:\n  - circel: {}\n  - circle: {radius: -1, turn: 3mm}\n  - bumper: "
         "{material: none}\n");
     CHECK(codes_and_places(result) ==
@@ -113,7 +113,7 @@ TEST_CASE("all errors of a file are told in one run, in the order of the text") 
 }
 
 TEST_CASE("a diagnostic shows its line with a caret, and how to mend it") {
-    const ReadResult result = read("pinfield: 1\nscene:\n  - circle: {note: é, radious: 3}\n");
+    const Reading result = read("pinfield: 1\nscene:\n  - circle: {note: é, radious: 3}\n");
     CHECK(told(result) ==
           "test.yaml:3:23: error: circle has no radious [E0202]\n"
           "    - circle: {note: é, radious: 3}\n"
@@ -142,7 +142,7 @@ TEST_CASE("limits are counted and can be raised") {
     CHECK(read("pinfield: 1\nscene: [group: {note: 'four '}]\n", tight).diagnostics.front().code == "E0109");
     tight = {};
     tight.errors = 2;
-    const ReadResult many = read("pinfield: 1\nscene: [a: {}, b: {}, c: {}, d: {}]\n", tight);
+    const Reading many = read("pinfield: 1\nscene: [a: {}, b: {}, c: {}, d: {}]\n", tight);
     CHECK(codes_and_places(many) == std::vector<std::string>{"E0203 2:9", "E0203 2:16", "E0122 2:23"});
 }
 
@@ -159,7 +159,7 @@ TEST_CASE("a type that only this program knows reads like the built-in ones") {
     const auto shared = std::make_shared<const Catalog>(std::move(extended));
     const auto source =
         std::make_shared<const SourceText>("t", "pinfield: 1\nscene: [blob: {radius: 3cm, at: [1, 2]}]\n");
-    const ReadResult result = read_table(source, shared);
+    const Reading result = read_table(source, shared);
     INFO(told(result));
     REQUIRE(result.ok());
     CHECK(result.scene.find("blob[0]")->get<double>("radius") == 0.03);
@@ -167,7 +167,7 @@ TEST_CASE("a type that only this program knows reads like the built-in ones") {
 
 TEST_CASE("a blank left out after a dash or a colon is told of as that") {
     const auto hint_of = [](const std::string& scene) {
-        const ReadResult result = read("pinfield: 1\nscene:\n" + scene);
+        const Reading result = read("pinfield: 1\nscene:\n" + scene);
         REQUIRE(result.diagnostics.size() == 1);
         return result.diagnostics[0].hint;
     };
@@ -179,22 +179,22 @@ TEST_CASE("a blank left out after a dash or a colon is told of as that") {
 
 TEST_CASE("a list of words is read from a list or from a word alone, and each word must be one of them") {
     const auto pieces_of = [](const std::string& written) {
-        const ReadResult result =
+        const Reading result =
             read("pinfield: 1\nscene:\n  - path: {points: [[0, 0], [1cm, 0], [1cm, 1cm]], pieces: " + written + "}\n");
         REQUIRE(result.ok());
         return result.scene.find("path[0]")->get<std::vector<std::string>>("pieces");
     };
     CHECK(pieces_of("line") == std::vector<std::string>{"line"});
     CHECK(pieces_of("[line, line, arc]") == std::vector<std::string>{"line", "line", "arc"});
-    const ReadResult wrong = read("pinfield: 1\nscene:\n  - path: {points: [[0, 0], [1cm, 0]], pieces: [line, lime]}\n");
+    const Reading wrong = read("pinfield: 1\nscene:\n  - path: {points: [[0, 0], [1cm, 0]], pieces: [line, lime]}\n");
     REQUIRE(wrong.diagnostics.size() == 1);
     CHECK(wrong.diagnostics[0].code == "E0214");
     CHECK(wrong.diagnostics[0].hint == "did you mean line?");
-    CHECK(wrong.source->slice(wrong.diagnostics[0].where) == "lime");
+    CHECK(wrong.scene.sources.slice(wrong.diagnostics[0].where) == "lime");
 }
 
 TEST_CASE("a field that does nothing beside the others is a warning") {
-    const ReadResult result = read("pinfield: 1\nscene:\n  - smooth_union: {steps: 3, children: [circle: {}, box: {}]}\n");
+    const Reading result = read("pinfield: 1\nscene:\n  - smooth_union: {steps: 3, children: [circle: {}, box: {}]}\n");
     REQUIRE(result.ok());
     REQUIRE(result.diagnostics.size() == 1);
     CHECK(result.diagnostics[0].code == "W0504");

@@ -24,12 +24,12 @@ Scene without_defaults(Scene scene) {
 
 TEST_CASE("the canonical form reads back as the same scene and is its own canonical form") {
     for (const auto& [name, text] : good_tables()) {
-        const ReadResult original = read(text);
+        const Reading original = read(text);
         const std::string canonical = write_table(original.scene);
-        const ReadResult again = read(canonical);
+        const Reading again = read(canonical);
         INFO(name << "\n" << canonical << told(again));
         REQUIRE(again.ok());
-        CHECK(again.scene.same_content(without_defaults(original.scene)));
+        CHECK(same_content(again.scene, without_defaults(original.scene)));
         CHECK(write_table(again.scene) == canonical);
     }
 }
@@ -42,15 +42,15 @@ TEST_CASE("scenes after random edits survive the canonical form") {
             if (const auto edit = some_edit(scene, rng)) apply(scene, *edit);
         scene.tests.clear();  // they may expect something of a node that has another id now
         const std::string canonical = write_table(scene);
-        const ReadResult again = read(canonical);
+        const Reading again = read(canonical);
         INFO(name << "\n" << canonical << told(again));
         REQUIRE(again.ok());
-        CHECK(again.scene.same_content(without_defaults(scene)));
+        CHECK(same_content(again.scene, without_defaults(scene)));
     }
 }
 
 TEST_CASE("the canonical form leaves defaults out and writes bare SI numbers") {
-    const ReadResult result = read(
+    const Reading result = read(
         "pinfield: 1\nscene:\n  - circle: {turn: 0, radius: 24mm, id: a}\n  - union: {children: [box: {size: [1cm, "
         "1m]}]}\n");
     CHECK(write_table(result.scene) ==

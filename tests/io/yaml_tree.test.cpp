@@ -86,7 +86,7 @@ TEST_CASE("a second colon in an entry of flow style is told as that, and quoted"
         REQUIRE(read.tree.diagnostics.size() == 1);
         CHECK(read.tree.diagnostics[0].message == "a second colon in one entry: a: b");
         CHECK(read.tree.diagnostics[0].hint.ends_with("\"a: b\""));
-        CHECK(read.source.slice(read.tree.diagnostics[0].where) == "a");
+        CHECK(read.source.slice(read.tree.diagnostics[0].where.span) == "a");
     }
     CHECK(Read("a: {b: c").tree.diagnostics[0].message == "this { is never closed");
 }
@@ -95,7 +95,7 @@ TEST_CASE("a bracket closed by another is told of where it stands") {
     const Read read("a: {b: [1, c: [2, 3]}\n");
     REQUIRE(read.tree.diagnostics.size() == 1);
     CHECK(read.tree.diagnostics[0].message == "this [ is not closed: a } comes first");
-    CHECK(read.tree.diagnostics[0].where.begin == 7);
+    CHECK(read.tree.diagnostics[0].where.span.begin == 7);
     CHECK(Read("a: ]\n").tree.diagnostics[0].message == "this ] closes nothing");
 }
 

@@ -17,7 +17,7 @@ inline const std::shared_ptr<const Catalog>& catalog() {
     return all;
 }
 
-inline ProgramPtr compiled(const ReadResult& read) {
+inline ProgramPtr compiled(const Reading& read) {
     for (const Diagnostic& d : read.diagnostics) UNSCOPED_INFO(d.message);
     REQUIRE(read.ok());
     const auto program = compile(read.scene);

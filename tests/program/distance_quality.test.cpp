@@ -94,14 +94,14 @@ TEST_CASE("an offset of a bound whose boundary cannot be found is a warning; of 
         INFO(c.offset << " of " << c.below);
         Scene scene(catalog());
         const NodeId offset = add(scene, c.offset, {}, {{c.field, 0.01}});
-        scene.find(offset)->key = {7, 12};
+        scene.find(offset)->key = {main_file, {7, 12}};
         wedge(scene, c.below, offset);
         const Diagnostics found = warnings_of(*compiled(scene), scene);
         REQUIRE(found.size() == (c.sides ? 1 : 0));
         if (!c.sides) continue;
         CHECK(found[0].code == "W0503");
         CHECK(found[0].severity == Severity::warning);
-        CHECK(found[0].where == Span{7, 12});
+        CHECK(found[0].where == Place{main_file, {7, 12}});
         CHECK_THAT(found[0].message, Catch::StartsWith(std::string(c.offset)) && Catch::Contains(std::string(": ") + c.sides + ","));
     }
 
@@ -122,13 +122,13 @@ TEST_CASE("a layer that no ball is on is a warning, once, at the first solid the
     const NodeId group = add(scene, "group", {}, {{"layer", ramp}});
     const NodeId first = add(scene, "box", group);
     add(scene, "bumper", group);
-    scene.find(first)->key = {3, 6};
+    scene.find(first)->key = {main_file, {3, 6}};
     const NodeId above = add(scene, "flipper", {}, {{"layer", attic}});
-    scene.find(above)->key = {9, 16};
+    scene.find(above)->key = {main_file, {9, 16}};
     const Diagnostics found = warnings_of(*compiled(scene), scene);
     REQUIRE(found.size() == 2);
     CHECK(found[0].code == "W0505");
-    CHECK(found[0].where == Span{3, 6});
+    CHECK(found[0].where == Place{main_file, {3, 6}});
     CHECK_THAT(found[0].message, Catch::Contains("layer ramp") && Catch::Contains("box"));
-    CHECK(found[1].where == Span{9, 16});
+    CHECK(found[1].where == Place{main_file, {9, 16}});
 }

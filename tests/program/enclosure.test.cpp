@@ -17,7 +17,7 @@ using namespace pinfield::test;
 namespace {
 
 ProgramPtr gallery() {
-    const Result<LoadedTable> table = load_table(source_dir() + "/scenes/tables/gallery.yaml", catalog());
+    const Result<Reading> table = load_table(source_dir() + "/scenes/tables/gallery.yaml", catalog());
     REQUIRE(table);
     return compiled(table->scene);
 }

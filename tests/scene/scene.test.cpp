@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "engine/io/same_content.h"
 #include "engine/scene/catalog.h"
 #include "engine/scene/edit.h"
 
@@ -101,12 +102,12 @@ TEST_CASE("scenes are the same when every bit of every value is") {
     Scene a(catalog()), b(catalog());
     set(a, add(a, "circle").id, "turn", 0.0);
     set(b, add(b, "circle").id, "turn", 0.0);
-    CHECK(a.same_content(b));
+    CHECK(same_content(a, b));
     set(b, b.roots()[0], "turn", -0.0);
-    CHECK_FALSE(a.same_content(b));
+    CHECK_FALSE(same_content(a, b));
     set(b, b.roots()[0], "turn", 0.0);
     b.inputs.push_back({"left", {"Z"}, {}});
-    CHECK_FALSE(a.same_content(b));
+    CHECK_FALSE(same_content(a, b));
 }
 
 TEST_CASE("flipping x is flipping y and half a turn") {

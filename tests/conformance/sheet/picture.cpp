@@ -34,7 +34,7 @@ std::vector<unsigned char> shrunk(const std::vector<unsigned char>& fine) {
 }  // namespace
 
 Result<bool> draw_example(const std::string& scene_path, const std::shared_ptr<const Catalog>& catalog, const std::string& png_path) {
-    const Result<LoadedTable> table = load_table(scene_path, catalog);
+    const Result<Reading> table = load_table(scene_path, catalog);
     if (!table) return tl::unexpected(table.error());
     if (!table->ok()) return failure(scene_path + " has errors: see `pinfield check`");
     const auto program = compile(table->scene);

@@ -1,16 +1,20 @@
-#include "engine/io/section_reader.h"
-
+// tests: launches, how long they run, and what is then expected.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/core/at.h"
-#include "engine/core/keys.h"
+#include "engine/core/numbers.h"
+#include "engine/io/node_writer.h"
 #include "engine/io/quantity.h"
+#include "engine/io/schema_parts.h"
+#include "engine/io/section.h"
 #include "engine/io/value_reader.h"
+#include "engine/io/value_writer.h"
 
-namespace pinfield {
+namespace pinfield::sections {
 namespace {
 
 FieldType number_field(std::string_view key, Unit unit, Limit min, Limit max, FieldKind kind = FieldKind::number) {
@@ -19,33 +23,6 @@ FieldType number_field(std::string_view key, Unit unit, Limit min, Limit max, Fi
     meta.min = min;
     meta.max = max;
     return {key, kind, meta, {}, {}, false};
-}
-
-void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const YamlNode& value) {
-    if (!is_plain_key(key)) return;
-    if (!is_name(key.text))
-        return context.report(Code::bad_name, key.span, fmt::format("{} is no name for an input", key.text),
-                              "small letters, digits and _");
-    if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
-    InputBinding binding{std::string(key.text), {}, {key.span.begin, value.span.end}};
-    std::vector<const YamlNode*> items{&value};
-    if (value.kind == YamlKind::sequence) items.assign(value.items.begin(), value.items.end());
-    for (const YamlNode* item : items) {
-        if (context.full()) return;
-        const YamlNode& name = item->resolved();
-        if (name.kind != YamlKind::scalar || name.text.empty()) {
-            context.report(Code::wrong_shape, name.span, "the name of a key is due here");
-            continue;
-        }
-        if (key_code(name.text) < 0) {
-            std::vector<std::string_view> known;
-            for (const KeyboardKey& known_key : keyboard_keys()) known.push_back(known_key.name);
-            context.report(Code::unknown_keyboard_key, name.span,
-                           fmt::format("no key of a keyboard is called {}", name.text), suggestion(name.text, known));
-        }
-        binding.keys.emplace_back(name.text);
-    }
-    scene.inputs.push_back(std::move(binding));
 }
 
 /// Entries of a map whose keys are few and known: calls read(key index, value) for those with a value.
@@ -121,9 +98,9 @@ void read_expectation(ReadContext& context, const Quantities& known, TableTest& 
     if (!value) return reject(fmt::format("{} is no number", number));
     if (!known.measured.count(std::string(quantity)))
         return context.report(Code::unknown_quantity, node.span, fmt::format("nothing called {} is measured", quantity),
-                              suggestion(quantity, {known.named.begin(), known.named.end()}));
+                              suggestion(quantity, std::vector<std::string_view>(known.named.begin(), known.named.end())));
     test.expectations.push_back(
-        {std::string(quantity), std::string(comparison), value->value, std::string(node.text), node.span});
+        {std::string(quantity), std::string(comparison), value->value, std::string(node.text), context.source.place(node.span)});
 }
 
 /// One thing or a list of them.
@@ -141,7 +118,7 @@ void read_test(ReadContext& context, Scene& scene, const Quantities& known, cons
         return context.report(Code::wrong_shape, node.span,
                               "a test is due here: {launch: {...}, run: 3s, expect: [...]}");
     TableTest test;
-    test.where = node.span;
+    test.where = context.source.place(node.span);
     read_entries(context, "a test", node, {"name", "launch", "run", "expect"}, [&](auto index, const YamlNode& value) {
         if (index == 0) {
             if (value.kind == YamlKind::scalar)
@@ -162,18 +139,7 @@ void read_test(ReadContext& context, Scene& scene, const Quantities& known, cons
     scene.tests.push_back(std::move(test));
 }
 
-}  // namespace
-
-void read_inputs(ReadContext& context, Scene& scene, const YamlNode& section) {
-    if (section.is_empty()) return;
-    if (section.kind != YamlKind::map)
-        return context.report(Code::wrong_shape, section.span, "inputs are due here",
-                              "write inputs: {left: [Z, LeftShift]}");
-    for (std::size_t i = 0; i < section.entries() && !context.full(); ++i)
-        read_binding(context, scene, section.key(i), section.value(i).resolved());
-}
-
-void read_tests(ReadContext& context, Scene& scene, const YamlNode& section) {
+void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& section) {
     if (section.is_empty()) return;
     if (section.kind != YamlKind::sequence)
         return context.report(Code::wrong_shape, section.span, "a list of tests is due here",
@@ -185,4 +151,75 @@ void read_tests(ReadContext& context, Scene& scene, const YamlNode& section) {
     }
 }
 
-}  // namespace pinfield
+std::string launch_text(const TableTest::Launch& launch) {
+    const auto pair = [](const Vec2& v) { return fmt::format("[{}, {}]", to_text(v.x()), to_text(v.y())); };
+    return fmt::format("{{at: {}, velocity: {}}}", pair(launch.at), pair(launch.velocity));
+}
+
+std::string test_text(const TableTest& test) {
+    std::vector<std::string> entries, launches, expectations;
+    for (const auto& launch : test.launches) launches.push_back(launch_text(launch));
+    for (const auto& e : test.expectations)
+        expectations.push_back(fmt::format("{} {} {}", e.quantity, e.comparison, to_text(e.value)));
+    if (!test.name.empty()) entries.push_back("name: " + write_text(test.name));
+    if (launches.size() == 1) entries.push_back("launch: " + launches[0]);
+    if (launches.size() > 1) entries.push_back(fmt::format("launch: [{}]", fmt::join(launches, ", ")));
+    entries.push_back("run: " + to_text(test.run));
+    entries.push_back(fmt::format("expect: [{}]", fmt::join(expectations, ", ")));
+    return flow_map(entries);
+}
+
+std::string write(const Scene& scene) {
+    std::string out = scene.tests.empty() ? "" : "tests:\n";
+    for (const TableTest& test : scene.tests) out += fmt::format("  - {}\n", test_text(test));
+    return out;
+}
+
+bool same_test(const TableTest& a, const TableTest& b) {
+    return a.name == b.name && a.run == b.run &&
+           std::equal(a.launches.begin(), a.launches.end(), b.launches.begin(), b.launches.end(),
+                      [](const auto& x, const auto& y) { return x.at == y.at && x.velocity == y.velocity; }) &&
+           std::equal(a.expectations.begin(), a.expectations.end(), b.expectations.begin(), b.expectations.end(),
+                      [](const auto& x, const auto& y) {
+                          return x.quantity == y.quantity && x.comparison == y.comparison && x.value == y.value;
+                      });
+}
+
+FieldMeta unit_meta(Unit unit) {
+    FieldMeta meta;
+    meta.unit = unit;
+    return meta;
+}
+
+schema::Json test_schema() {
+    FieldMeta run = unit_meta(Unit::second);
+    run.min = above(0);
+    const schema::Json launch{
+        {"type", "object"},
+        {"additionalProperties", false},
+        {"required", {"at"}},
+        {"properties",
+         {{"at", schema::pair(unit_meta(Unit::metre))}, {"velocity", schema::pair(unit_meta(Unit::metre_per_second))}}}};
+    return {{"type", "object"},
+            {"additionalProperties", false},
+            {"required", {"expect"}},
+            {"properties",
+             {{"name", {{"type", {"string", "number", "boolean"}}}},
+              {"launch", schema::one_or_list(launch)},
+              {"run", schema::number(run)},
+              {"expect", schema::one_or_list({{"type", "string"}, {"pattern", "^[^=!<>]+(==|!=|<=|>=|<|>)[^=!<>]+$"}})}}}};
+}
+
+}  // namespace
+
+extern const Section tests{
+    .key = "tests",
+    .read = read,
+    .write = write,
+    .schema = [] { return schema::list(test_schema()); },
+    .same = [](const Scene& a,
+               const Scene& b) { return std::equal(a.tests.begin(), a.tests.end(), b.tests.begin(), b.tests.end(), same_test); },
+    .names_nodes = true,
+};
+
+}  // namespace pinfield::sections

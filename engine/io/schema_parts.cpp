@@ -1,0 +1,58 @@
+#include "engine/io/schema_parts.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "engine/io/quantity.h"
+#include "engine/reflect/node_type.h"
+
+namespace pinfield::schema {
+namespace {
+
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) out += c == '^' ? std::string("\\^") : std::string(1, c);
+    return out;
+}
+
+/// A number with one of the unit's suffixes, or without.
+std::string quantity_pattern(Unit unit) {
+    std::string suffixes;
+    for (const UnitSuffix& s : unit_suffixes())
+        if (s.unit == unit) suffixes.append(suffixes.empty() ? "" : "|").append(escaped(s.text));
+    const std::string number = R"([+-]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?)";
+    return suffixes.empty() ? fmt::format("^{}$", number) : fmt::format("^{}({})?$", number, suffixes);
+}
+
+}  // namespace
+
+Json reference(const std::string& definition) { return {{"$ref", "#/definitions/" + definition}}; }
+
+Json number(const FieldMeta& meta) {
+    Json bare{{"type", "number"}};
+    if (meta.unit == Unit::metre) {
+        bare["minimum"] = -longest_length;
+        bare["maximum"] = longest_length;
+    }
+    if (meta.unit == Unit::metre && meta.min.open && meta.min.value == 0) {
+        bare["minimum"] = shortest_length;
+    } else if (std::isfinite(meta.min.value)) {
+        bare[meta.min.open ? "exclusiveMinimum" : "minimum"] = meta.min.value;
+    }
+    if (std::isfinite(meta.max.value)) bare[meta.max.open ? "exclusiveMaximum" : "maximum"] = meta.max.value;
+    return {{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}}}};
+}
+
+Json pair(const FieldMeta& meta) { return {{"type", "array"}, {"items", number(meta)}, {"minItems", 2}, {"maxItems", 2}}; }
+
+Json one_or_list(const Json& item) { return {{"anyOf", {item, {{"type", "array"}, {"items", item}}}}}; }
+
+Json named_map(const Json& value) {
+    return {{"type", {"object", "null"}}, {"propertyNames", {{"pattern", name_pattern}}}, {"additionalProperties", value}};
+}
+
+Json list(const Json& item) { return {{"type", {"array", "null"}}, {"items", item}}; }
+
+}  // namespace pinfield::schema

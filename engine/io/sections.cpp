@@ -1,0 +1,34 @@
+#include <algorithm>
+#include <array>
+
+#include "engine/io/same_content.h"
+#include "engine/io/section.h"
+
+namespace pinfield {
+namespace sections {
+
+// One file each in sections/.
+extern const Section version, table, physics, materials, scene, inputs, tests;
+
+constexpr Section params{.key = "params", .unsupported = Code::params_unsupported};
+constexpr Section templates{.key = "templates", .unsupported = Code::templates_unsupported};
+constexpr Section include{.key = "include", .unsupported = Code::include_unsupported};
+constexpr Section game{.key = "game", .unsupported = Code::game_unsupported};
+
+constexpr std::array<const Section*, 11> all{&version,   &table, &physics, &params, &materials, &templates,
+                                             &include,   &scene, &inputs,  &game,   &tests};
+
+}  // namespace sections
+
+std::span<const Section* const> all_sections() { return sections::all; }
+
+const Section* find_section(std::string_view key) {
+    const auto found = std::find_if(sections::all.begin(), sections::all.end(), [&](const Section* s) { return s->key == key; });
+    return found == sections::all.end() ? nullptr : *found;
+}
+
+bool same_content(const Scene& a, const Scene& b) {
+    return std::all_of(sections::all.begin(), sections::all.end(), [&](const Section* s) { return !s->same || s->same(a, b); });
+}
+
+}  // namespace pinfield

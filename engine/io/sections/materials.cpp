@@ -1,0 +1,54 @@
+// materials: {rubber: {restitution: 0.8}, ...}
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/io/node_reader.h"
+#include "engine/io/node_writer.h"
+#include "engine/io/schema_parts.h"
+#include "engine/io/section.h"
+
+namespace pinfield::sections {
+namespace {
+
+void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& section) {
+    if (section.is_empty()) return;
+    if (section.kind != YamlKind::map)
+        return context.report(Code::wrong_shape, section.span, "materials are due here",
+                              "write materials: {rubber: {restitution: 0.8}}");
+    const NodeType& type = *context.catalog.find("material");
+    for (std::size_t i = 0; i < section.entries() && !context.full(); ++i) {
+        const YamlNode& key = section.key(i);
+        const YamlNode& body = section.value(i).resolved();
+        if (!is_plain_key(key)) continue;
+        const bool after_empty = i > 0 && section.value(i - 1).resolved().is_empty();
+        if (after_empty && type.find_field(key.text) && body.kind == YamlKind::scalar)
+            context.report(Code::under_indented, key.span,
+                           fmt::format("the fields of {} are indented too little", section.key(i - 1).text),
+                           "indent two more");
+        else if (!is_name(key.text))
+            context.report(Code::bad_name, key.span, fmt::format("{} is no name for a material", key.text),
+                           "small letters, digits and _");
+        else
+            read_record(context, scene.add_material(std::string(key.text)), key, body);
+    }
+}
+
+std::string write(const Scene& scene) {
+    std::string out = scene.materials().empty() ? "" : "materials:\n";
+    for (const NodeId id : scene.materials())
+        out += fmt::format("  {}: {}\n", scene.find(id)->name, flow_map(entries_of(*scene.find(id))));
+    return out;
+}
+
+}  // namespace
+
+extern const Section materials{
+    .key = "materials",
+    .read = read,
+    .write = write,
+    .schema = [] { return schema::named_map(schema::reference("material")); },
+    .same = [](const Scene& a, const Scene& b) { return same_nodes(a, a.materials(), b, b.materials()); },
+};
+
+}  // namespace pinfield::sections

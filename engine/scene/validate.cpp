@@ -1,0 +1,179 @@
+#include "engine/scene/validate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "engine/core/at.h"
+#include "engine/core/closest.h"
+#include "engine/core/error_codes.h"
+#include "engine/scene/part_traits.h"
+#include "engine/sdf/kernels.h"
+
+namespace pinfield {
+namespace {
+
+bool holds(const std::vector<std::string_view>& sorted, std::string_view name) {
+    return std::binary_search(sorted.begin(), sorted.end(), name);
+}
+
+std::string count_allowed(ChildCount allowed) {
+    const auto children = [](int n) { return fmt::format("{} {}", n, n == 1 ? "child" : "children"); };
+    if (allowed.max == 0) return "no children";
+    if (allowed.min == allowed.max) return "exactly " + children(allowed.min);
+    if (allowed.max == any_number) return "at least " + children(allowed.min);
+    return fmt::format("{} to {} children", allowed.min, allowed.max);
+}
+
+/// Where something else is, for a hint: its line, or, in a scene that no text was read for, its path.
+std::string whereabouts(const Scene& scene, const Place& place, NodeId node) {
+    if (place) return fmt::format("line {}", scene.sources.line_column(place).line);
+    return node ? scene.path(node) : "inputs";
+}
+
+void check_ids(const Scene& scene, std::size_t most, Diagnostics& findings) {
+    struct Holder {
+        NodeId node;  ///< none: an input
+        Place where;
+    };
+    std::map<std::string_view, Holder> taken;
+    for (const InputBinding& input : scene.inputs) taken.emplace(input.name, Holder{{}, input.where});
+    for (const NodeId id : scene.all()) {
+        const Node& node = *scene.find(id);
+        if (node.type->meta.kind == NodeKind::record || node.name.empty()) continue;
+        const auto [first, is_new] = taken.emplace(node.name, Holder{id, node.key});
+        if (is_new) continue;
+        if (findings.size() > most) return;
+        findings.push_back(diagnose(Code::duplicate_id, at(node.fields, *node.type->find_field("id")).where, taken_id(node.name),
+                                    whereabouts(scene, first->second.where, first->second.node) + " has it"));
+    }
+}
+
+void check_fields(const Scene& scene, std::size_t most, Diagnostics& findings) {
+    const KnownNames known(scene);
+    for (const NodeId id : scene.all()) {
+        const Node& node = *scene.find(id);
+        for (std::size_t i = 0; i < node.fields.size(); ++i) {
+            if (findings.size() > most) return;
+            const FieldType& field = node.type->fields[i];
+            if (!node.fields[i].is_explicit) continue;
+            if (!node.has_use_for(i))
+                findings.push_back(diagnose(
+                    Code::idle_field, node.fields[i].where,
+                    fmt::format("{} does nothing without {}: {}", field.key, field.meta.only_with.field, field.meta.only_with.choice)));
+            check_references(known, field, node.fields[i], most, findings);
+        }
+    }
+}
+
+void check_domains(const Scene& scene, std::size_t most, Diagnostics& findings) {
+    std::map<std::string, NodeId> domain_of;
+    for (const NodeId id : scene.all()) {
+        const Node& node = *scene.find(id);
+        if (!node.type->part || node.type->part->role != Role::boundary) continue;
+        for (const std::string& layer : scene.layers(id)) {
+            if (findings.size() > most) return;
+            const auto [first, is_new] = domain_of.emplace(layer, id);
+            if (is_new || first->second == id) continue;  // a layer named twice is still one
+            findings.push_back(diagnose(
+                Code::second_domain, node.key,
+                fmt::format("a second {} on {}", node.type->key(), layer == ground_layer_name ? "the ground layer" : "layer " + layer),
+                fmt::format("the first is in {}; one holds several shapes as children",
+                            whereabouts(scene, scene.find(first->second)->key, first->second))));
+        }
+    }
+}
+
+void check_nodes(const Scene& scene, std::size_t most, Diagnostics& findings) {
+    const auto take = [&](std::optional<Diagnostic> found) {
+        if (found) findings.push_back(std::move(*found));
+    };
+    for (const NodeId id : scene.all()) {
+        if (findings.size() > most) return;
+        const Node& node = *scene.find(id);
+        take(wrong_child_count(*node.type, static_cast<int>(node.children.size()), node.key));
+        take(misplaced_part(*node.type, node.parent ? scene.find(node.parent)->type : nullptr, node.key));
+        take(broken_contract(node));
+    }
+}
+
+}  // namespace
+
+std::optional<Diagnostic> wrong_child_count(const NodeType& type, int count, const Place& where) {
+    const ChildCount allowed = type.meta.children;
+    if (count >= allowed.min && count <= allowed.max) return {};
+    return diagnose(Code::child_count, where, fmt::format("{} takes {}; it has {}", type.key(), count_allowed(allowed), count));
+}
+
+std::optional<Diagnostic> misplaced_part(const NodeType& type, const NodeType* parent, const Place& where) {
+    const bool takes_any = !parent || (parent->part && parent->part->role == Role::group);
+    if (type.meta.kind != NodeKind::part || takes_any) return {};
+    return diagnose(Code::misplaced_part, where, fmt::format("{} cannot stand inside {}", type.key(), parent->key()),
+                    "only shapes and operations may; put it directly into the scene or a group");
+}
+
+std::optional<Diagnostic> broken_contract(const Node& node) {
+    const NodeType& type = *node.type;
+    if (type.contracts.empty()) return {};
+    std::vector<Value> own;
+    for (int i = 0; i < type.own_fields; ++i) own.push_back(at(node.fields, i).value);
+    // A contract may read what derive() fills in, so the block has room for it.
+    const std::vector<double> params = pack(type, own, type.kernels ? type.kernels->derived_count : 0);
+    const auto sentence = broken_contract(type, params.data());
+    if (!sentence) return {};
+    const bool is_material = type.meta.kind == NodeKind::record && !node.name.empty();
+    return diagnose(Code::broken_contract, node.key,
+                    fmt::format("{}: {} must hold", is_material ? std::string_view(node.name) : type.key(), *sentence));
+}
+
+KnownNames::KnownNames(const Scene& scene) {
+    for (const NodeId id : scene.materials()) materials.push_back(scene.find(id)->name);
+    for (const InputBinding& input : scene.inputs) inputs.push_back(input.name);
+    std::sort(materials.begin(), materials.end());
+    std::sort(inputs.begin(), inputs.end());
+}
+
+void check_references(const KnownNames& known, const FieldType& field, const FieldSlot& slot, std::size_t most, Diagnostics& findings) {
+    if (field.meta.meaning == Meaning::material) {
+        const auto& name = std::get<std::string>(slot.value);
+        if (name.empty() || name == "default" || holds(known.materials, name)) return;
+        findings.push_back(diagnose(Code::unknown_material, slot.where, fmt::format("no material is called {}", name),
+                                    suggestion(name, known.materials)));
+    }
+    if (field.meta.meaning == Meaning::input)
+        for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
+            if (findings.size() <= most && !holds(known.inputs, name))
+                findings.push_back(diagnose(Code::unknown_input, slot.where, fmt::format("no input is called {}", name),
+                                            suggestion(name, known.inputs)));
+}
+
+std::string taken_id(std::string_view id) { return fmt::format("the id {} is taken", id); }
+
+bool is_id_taken(const Scene& scene, std::string_view id, NodeId node) {
+    const bool is_input = std::any_of(scene.inputs.begin(), scene.inputs.end(), [&](const InputBinding& input) { return input.name == id; });
+    if (is_input) return true;
+    const std::vector<NodeId> all = scene.all();
+    return std::any_of(all.begin(), all.end(), [&](NodeId other) {
+        const Node& holder = *scene.find(other);
+        return other != node && holder.type->meta.kind != NodeKind::record && holder.name == id;
+    });
+}
+
+Diagnostics check_relations(const Scene& scene, std::size_t most) {
+    Diagnostics findings;
+    check_ids(scene, most, findings);
+    check_fields(scene, most, findings);
+    check_domains(scene, most, findings);
+    return findings;
+}
+
+Diagnostics validate(const Scene& scene, std::size_t most) {
+    Diagnostics findings;
+    check_nodes(scene, most, findings);
+    const Diagnostics relations = check_relations(scene, most);
+    findings.insert(findings.end(), relations.begin(), relations.end());
+    return findings;
+}
+
+}  // namespace pinfield
