@@ -189,8 +189,11 @@ TEST_CASE("edits of many nodes cost one reading, and change what each of them al
         lines += "- circle: {at: [" + std::to_string(i) + "mm, 2cm], radius: 3mm}  # " + std::to_string(i) + "\n";
         moved += "- circle: {at: [" + std::to_string(i + 5) + "mm, 3cm], radius: 3mm}  # " + std::to_string(i) + "\n";
     }
-    const Reading before = read(in_scene(lines));
+    Reading before = read(in_scene(lines));
     REQUIRE(before.ok());
+    Scene older(catalog());
+    for (int i = 0; i < 7; ++i) older.add(*catalog()->find("bumper"));
+    before.scene.keep_ids_of(older);  // ids that no fresh reading would give
     std::vector<Edit> edits;
     for (int i = 0; i < 40; ++i) {
         const Node& node = *before.scene.find(at(before.scene.roots(), i));
@@ -226,6 +229,20 @@ TEST_CASE("edits that touch the same bytes are written one after the other") {
     CHECK(patched->readings > 1);
     CHECK(taken_back(patched->patches, before.source().text()) == before.source().text());
     CHECK(patched->reading.scene.find("c")->id == circle.id);
+}
+
+TEST_CASE("an edit that is valid only after one that waits waits with it") {
+    const Reading before = read(in_scene("- box: {round: 1mm}\n"));
+    const Node& box = *before.scene.find("box[0]");
+    std::vector<Edit> edits;
+    const auto set = [&](std::string_view key, const Value& value) { edits.push_back({box.id, field_index(box, key), value, true}); };
+    set("turn", 4.0);
+    set("size", Vec2(3, 3));
+    set("round", 1.0);  // too round for the box as it was
+    REQUIRE(why_invalid(before.scene, edits.back()));
+    const auto patched = patch_for(before, edits);
+    REQUIRE(patched);
+    CHECK(patched->reading.source().text() == in_scene("- box: {round: 1000mm, turn: 4, size: [3000mm, 3000mm]}\n"));
 }
 
 TEST_CASE("of edits one of which is refused none is written") {
