@@ -14,7 +14,7 @@
 namespace pinfield {
 namespace {
 
-using schema::Json;
+using Json = nlohmann::ordered_json;
 
 Json kind_schema(const FieldType& field) {
     switch (field.kind) {
@@ -25,10 +25,10 @@ Json kind_schema(const FieldType& field) {
             if (std::isfinite(field.meta.max.value)) out["maximum"] = std::floor(field.meta.max.value);
             return out;
         }
-        case FieldKind::number: return schema::number(field.meta);
-        case FieldKind::vec2: return schema::pair(field.meta);
+        case FieldKind::number: return Json::parse(schema::number(field.meta));
+        case FieldKind::vec2: return Json::parse(schema::pair(field.meta));
         case FieldKind::points:
-            return {{"type", "array"}, {"items", schema::pair(field.meta)}, {"maxItems", Limits{}.points}};
+            return {{"type", "array"}, {"items", Json::parse(schema::pair(field.meta))}, {"maxItems", Limits{}.points}};
         case FieldKind::choice: return {{"enum", field.choices}};
         case FieldKind::choices: {
             const Json word{{"enum", field.choices}};
@@ -38,7 +38,7 @@ Json kind_schema(const FieldType& field) {
         case FieldKind::color:
             return {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};
         case FieldKind::id: return {{"type", "string"}, {"pattern", schema::name_pattern}};
-        case FieldKind::names: return schema::reference("names");
+        case FieldKind::names: return Json::parse(schema::reference("names"));
     }
     return Json::object();
 }
@@ -64,7 +64,7 @@ Json type_schema(const NodeType& type) {
     }
     const ChildCount children = type.meta.children;
     if (children.max > 0) {
-        Json list{{"type", "array"}, {"items", schema::reference(child_definition(type))}, {"minItems", children.min}};
+        Json list{{"type", "array"}, {"items", Json::parse(schema::reference(child_definition(type)))}, {"minItems", children.min}};
         if (children.max != any_number) list["maxItems"] = children.max;
         properties["children"] = list;
         if (children.min > 0) required.push_back("children");
@@ -83,7 +83,7 @@ Json one_key_node(const Catalog& catalog, bool with_parts) {
     for (const NodeType& type : catalog.types()) {
         const NodeKind kind = type.meta.kind;
         if (kind == NodeKind::shape || kind == NodeKind::operation || (with_parts && kind == NodeKind::part))
-            properties[std::string(type.key())] = schema::reference(std::string(type.key()));
+            properties[std::string(type.key())] = Json::parse(schema::reference(std::string(type.key())));
     }
     return {{"type", "object"},
             {"minProperties", 1},
@@ -96,13 +96,13 @@ Json one_key_node(const Catalog& catalog, bool with_parts) {
 
 std::string json_schema(const Catalog& catalog) {
     Json definitions = Json::object();
-    definitions["names"] = schema::one_or_list({{"type", "string"}, {"pattern", schema::name_pattern}});
+    definitions["names"] = Json::parse(schema::one_or_list(fmt::format(R"({{"type": "string", "pattern": "{}"}})", schema::name_pattern)));
     definitions["scene_node"] = one_key_node(catalog, true);
     definitions["shape_node"] = one_key_node(catalog, false);
     for (const NodeType& type : catalog.types()) definitions[std::string(type.key())] = type_schema(type);
     Json properties = Json::object();
     for (const Section* section : all_sections())
-        if (section->schema) properties[std::string(section->key)] = section->schema();
+        if (section->schema) properties[std::string(section->key)] = Json::parse(section->schema());
     const Json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
                       {"title", "Pinfield table"},
                       {"type", "object"},

@@ -11,6 +11,8 @@
 namespace pinfield::schema {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) out += c == '^' ? std::string("\\^") : std::string(1, c);
@@ -28,9 +30,9 @@ std::string quantity_pattern(Unit unit) {
 
 }  // namespace
 
-Json reference(const std::string& definition) { return {{"$ref", "#/definitions/" + definition}}; }
+std::string reference(std::string_view definition) { return fmt::format(R"({{"$ref": "#/definitions/{}"}})", definition); }
 
-Json number(const FieldMeta& meta) {
+std::string number(const FieldMeta& meta) {
     Json bare{{"type", "number"}};
     if (meta.unit == Unit::metre) {
         bare["minimum"] = -longest_length;
@@ -42,17 +44,23 @@ Json number(const FieldMeta& meta) {
         bare[meta.min.open ? "exclusiveMinimum" : "minimum"] = meta.min.value;
     }
     if (std::isfinite(meta.max.value)) bare[meta.max.open ? "exclusiveMaximum" : "maximum"] = meta.max.value;
-    return {{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}}}};
+    const Json schema{{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}}}};
+    return schema.dump();
 }
 
-Json pair(const FieldMeta& meta) { return {{"type", "array"}, {"items", number(meta)}, {"minItems", 2}, {"maxItems", 2}}; }
-
-Json one_or_list(const Json& item) { return {{"anyOf", {item, {{"type", "array"}, {"items", item}}}}}; }
-
-Json named_map(const Json& value) {
-    return {{"type", {"object", "null"}}, {"propertyNames", {{"pattern", name_pattern}}}, {"additionalProperties", value}};
+std::string pair(const FieldMeta& meta) {
+    return fmt::format(R"({{"type": "array", "items": {}, "minItems": 2, "maxItems": 2}})", number(meta));
 }
 
-Json list(const Json& item) { return {{"type", {"array", "null"}}, {"items", item}}; }
+std::string one_or_list(std::string_view item) {
+    return fmt::format(R"({{"anyOf": [{0}, {{"type": "array", "items": {0}}}]}})", item);
+}
+
+std::string named_map(std::string_view value) {
+    return fmt::format(R"({{"type": ["object", "null"], "propertyNames": {{"pattern": "{}"}}, "additionalProperties": {}}})", name_pattern,
+                       value);
+}
+
+std::string list(std::string_view item) { return fmt::format(R"({{"type": ["array", "null"], "items": {}}})", item); }
 
 }  // namespace pinfield::schema

@@ -1,6 +1,5 @@
 // One section of a table: how it is read, written, described to text editors and compared, in one place. THE list: sections.cpp.
 #pragma once
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,8 +15,8 @@ struct Section {
     void (*read)(ReadContext& context, Scene& scene, const YamlNode& key, const YamlNode& value) = nullptr;
     /// Canonical text with key and line break; empty when there is nothing to say.
     std::string (*write)(const Scene& scene) = nullptr;
-    /// JSON Schema of the value.
-    nlohmann::ordered_json (*schema)() = nullptr;
+    /// JSON Schema of the value, as JSON text.
+    std::string (*schema)() = nullptr;
     /// Do both scenes say the same in this section, values bit for bit? Places in the text and ids do not count.
     bool (*same)(const Scene& a, const Scene& b) = nullptr;
     Code unsupported{};

@@ -1,8 +1,6 @@
 // inputs: {left: [Z, LeftShift], ...}
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/core/keys.h"
 #include "engine/io/node_writer.h"
 #include "engine/io/schema_parts.h"
@@ -71,7 +69,7 @@ extern const Section inputs{
     .key = "inputs",
     .read = read,
     .write = write,
-    .schema = [] { return schema::named_map(schema::one_or_list({{"type", {"string", "integer"}}})); },
+    .schema = [] { return schema::named_map(schema::one_or_list(R"({"type": ["string", "integer"]})")); },
     .same = same,
 };
 

@@ -1,8 +1,6 @@
 // table: and physics:, one record each.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "engine/io/node_reader.h"
 #include "engine/io/node_writer.h"
 #include "engine/io/schema_parts.h"

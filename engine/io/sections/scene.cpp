@@ -1,6 +1,4 @@
 // scene: the list of nodes.
-#include <nlohmann/json.hpp>
-
 #include "engine/io/node_reader.h"
 #include "engine/io/node_writer.h"
 #include "engine/io/schema_parts.h"

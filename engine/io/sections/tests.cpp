@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "engine/core/at.h"
@@ -191,23 +190,17 @@ FieldMeta unit_meta(Unit unit) {
     return meta;
 }
 
-schema::Json test_schema() {
+std::string test_schema() {
     FieldMeta run = unit_meta(Unit::second);
     run.min = above(0);
-    const schema::Json launch{
-        {"type", "object"},
-        {"additionalProperties", false},
-        {"required", {"at"}},
-        {"properties",
-         {{"at", schema::pair(unit_meta(Unit::metre))}, {"velocity", schema::pair(unit_meta(Unit::metre_per_second))}}}};
-    return {{"type", "object"},
-            {"additionalProperties", false},
-            {"required", {"expect"}},
-            {"properties",
-             {{"name", {{"type", {"string", "number", "boolean"}}}},
-              {"launch", schema::one_or_list(launch)},
-              {"run", schema::number(run)},
-              {"expect", schema::one_or_list({{"type", "string"}, {"pattern", "^[^=!<>]+(==|!=|<=|>=|<|>)[^=!<>]+$"}})}}}};
+    const std::string launch =
+        fmt::format(R"({{"type": "object", "additionalProperties": false, "required": ["at"], "properties": {{"at": {}, "velocity": {}}}}})",
+                    schema::pair(unit_meta(Unit::metre)), schema::pair(unit_meta(Unit::metre_per_second)));
+    return fmt::format(
+        R"({{"type": "object", "additionalProperties": false, "required": ["expect"], "properties": {{
+            "name": {{"type": ["string", "number", "boolean"]}}, "launch": {}, "run": {}, "expect": {}}}}})",
+        schema::one_or_list(launch), schema::number(run),
+        schema::one_or_list(R"({"type": "string", "pattern": "^[^=!<>]+(==|!=|<=|>=|<|>)[^=!<>]+$"})"));
 }
 
 }  // namespace

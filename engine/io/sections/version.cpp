@@ -1,9 +1,6 @@
 // pinfield: 1
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
-#include "engine/io/schema_parts.h"
 #include "engine/io/section.h"
 
 namespace pinfield::sections {
@@ -23,7 +20,7 @@ extern const Section version{
     .key = "pinfield",
     .read = read,
     .write = [](const Scene&) { return std::string("pinfield: 1\n"); },
-    .schema = [] { return schema::Json{{"description", "Version of the format."}, {"const", 1}}; },
+    .schema = [] { return std::string(R"({"description": "Version of the format.", "const": 1})"); },
 };
 
 }  // namespace pinfield::sections
