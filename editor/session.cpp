@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "engine/core/at.h"
-#include "engine/core/trig.h"
 #include "engine/program/compile.h"
 #include "engine/program/patch.h"
+#include "engine/program/pose.h"
 #include "engine/program/distance_quality.h"
 #include "engine/scene/parts/bumper.h"
 #include "engine/scene/parts/spawn.h"
@@ -185,12 +185,7 @@ int Session::hits_of(NodeId node) const {
 }
 
 Similarity Session::world_from_mover(int mover) const {
-    const Mover& shape = at(program().movers, mover);
-    const MoverState& state = at(world_->movers(), mover);
-    if (!state.rotates) return {shape.cosine, shape.sine, 1, false, shape.pivot + state.q * state.axis};
-    const SineCosine turn = sine_cosine(shape.handedness * state.q);
-    return {turn.cosine * shape.cosine - turn.sine * shape.sine, turn.sine * shape.cosine + turn.cosine * shape.sine, 1, false,
-            shape.pivot};
+    return pinfield::world_from_mover(at(program().movers, mover), at(world_->movers(), mover).q);
 }
 
 }  // namespace pinfield::editor

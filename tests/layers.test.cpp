@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -145,6 +146,36 @@ Words faults_of_length(const std::string& path, const std::string& text) {
             std::to_string(head)};
 }
 
+const std::regex& quoted_include() {
+    static const std::regex include(R"~(^\s*#\s*include\s*"([^"]+)")~");
+    return include;
+}
+
+std::string text_of(const std::string& path) {
+    std::ifstream stream(fs::path(pinfield::test::source_dir()) / path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Which of the forbidden files, named by the beginnings of their paths, a file includes, by itself or through others: each with the way
+/// there. `text_of(path)` reads a file.
+template <class TextOf>
+Words ways_to(const Words& forbidden, const std::string& path, const TextOf& text_of) {
+    std::map<std::string, std::string> way{{path, path}};
+    Words open{path}, found;
+    while (!open.empty()) {
+        const std::string file = open.back();
+        open.pop_back();
+        for_lines(text_of(file), [&](int, const std::string& line) {
+            std::smatch match;
+            if (!std::regex_search(line, match, quoted_include()) || way.contains(match[1])) return;
+            way[match[1]] = way[file] + " > " + match[1].str();
+            if (starts_with_any(match[1].str(), forbidden)) found.push_back(way[match[1]]);
+            else open.push_back(match[1]);
+        });
+    }
+    return found;
+}
+
 /// Sources under the given folders of the project, sorted, with their texts.
 template <class Judge>
 Words faults_in(const Words& folders, Judge judge) {
@@ -159,9 +190,8 @@ Words faults_in(const Words& folders, Judge judge) {
     REQUIRE(files.size() > 10);
     Words faults;
     for (const fs::path& file : files) {
-        std::ifstream stream(file, std::ios::binary);
-        const std::string text{std::istreambuf_iterator<char>(stream), {}};
-        faults = faults + judge(fs::relative(file, root).generic_string(), text);
+        const std::string path = fs::relative(file, root).generic_string();
+        faults = faults + judge(path, text_of(path));
     }
     return faults;
 }
@@ -182,6 +212,23 @@ TEST_CASE("nothing reachable from a Program or the physics calls a transcendenta
     const Words folders{"engine/core",  "engine/reflect", "engine/sdf",
                         "engine/scene", "engine/program", "engine/physics"};
     CHECK(listed(faults_in(folders, faults_of_mathematics)) == "");
+}
+
+/// What decides how balls move, and what a world holds of it.
+const Words the_sweep{"engine/physics/sweep_", "engine/physics/state.h", "engine/physics/motion.h", "engine/physics/mechanisms/"};
+
+TEST_CASE("the auditor includes nothing of the sweep that it checks, directly or through others") {
+    CHECK(listed(ways_to(the_sweep, "engine/physics/audit.cpp", text_of)) == "");
+}
+
+TEST_CASE("a way to a forbidden file is reported, however long") {
+    const std::map<std::string, std::string> files{{"a.cpp", "#include \"a.h\"\n#include <map>\n"},
+                                                   {"a.h", "#include \"b.h\"\n"},
+                                                   {"b.h", "#include \"a.h\"\n  # include \"c/d.h\"\n"}};
+    const auto text_of = [&](const std::string& path) { return files.contains(path) ? files.at(path) : std::string(); };
+    CHECK(ways_to({"c/"}, "a.cpp", text_of) == Words{"a.cpp > a.h > b.h > c/d.h"});
+    CHECK(ways_to({"d/"}, "a.cpp", text_of).empty());
+    CHECK(ways_to({"engine/physics/sweep_"}, "engine/physics/state.h", ::text_of).size() > 0);
 }
 
 TEST_CASE("no source is longer than 450 lines without a reason in its head") {

@@ -8,9 +8,9 @@
 #include "engine/cli/command.h"
 #include "engine/cli/csv.h"
 #include "engine/cli/output.h"
-#include "engine/cli/rest_pose.h"
 #include "engine/cli/table.h"
 #include "engine/core/at.h"
+#include "engine/physics/mechanisms/mechanism.h"
 #include "engine/program/evaluate.h"
 #include "engine/scene/parts/domain.h"
 

@@ -7,10 +7,10 @@
 
 #include "engine/cli/command.h"
 #include "engine/cli/output.h"
-#include "engine/cli/rest_pose.h"
 #include "engine/cli/table.h"
 #include "engine/core/numbers.h"
 #include "engine/io/png.h"
+#include "engine/physics/mechanisms/mechanism.h"
 #include "engine/program/raster.h"
 
 namespace pinfield::cli {

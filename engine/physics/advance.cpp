@@ -179,7 +179,8 @@ private:
         const double time = w_.mover_work[m].stop_time;
         advance_mover(w_, m, time);
         s.q = s.rate > 0 || (s.rate == 0 && s.acceleration > 0) ? s.q_max : s.q_min;
-        const double speed = std::fabs(s.rate) * (s.rotates ? w_.program().movers[m].bounding_radius : 1.0);
+        const Mover& mover = w_.program().movers[m];
+        const double speed = std::fabs(s.rate) * (mover.slides ? 1.0 : mover.bounding_radius);
         hit_end_stop(w_.program(), static_cast<int>(m), s, h_);
         if (++w_.mover_work[m].stops > most_impacts) stall(m);
         if (speed > 10 * w_.physics.rest_speed) {

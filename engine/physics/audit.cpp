@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/core/at.h"
-#include "engine/physics/sweep_mover.h"
 #include "engine/program/evaluate.h"
+#include "engine/program/pose.h"
 
 namespace pinfield {
 
@@ -12,7 +12,6 @@ namespace {
 
 constexpr double most_samples = 100000;  // of one segment
 constexpr int fine_samples = 16;         // between two samples, near solids whose boundary is not known as pieces
-
 
 /// Where the movers are at a time since the world's start.
 void place_movers(const World& world, double time, std::vector<double>& q) {
@@ -82,10 +81,9 @@ void Auditor::check(const World& world, const PathSegment& path) {
         if (k > 0 && !crossed && std::min(distance, gap_before) < step + spacing_) {
             crossed = crosses_boundary(program.fixed, before, p, layers);
             for (std::size_t m = 0; m < program.movers.size() && !crossed; ++m) {
-                const MoverState& s = world.movers()[m];
                 const Mover& mover = program.movers[m];
-                crossed = crosses_boundary(mover.field, pose_of(mover, s.rotates, s.axis, q_before[m]).place_from_world(before),
-                                           pose_of(mover, s.rotates, s.axis, q_[m]).place_from_world(p), layers);
+                crossed = crosses_boundary(mover.field, pose_of(mover, q_before[m]).place_from_world(before),
+                                           pose_of(mover, q_[m]).place_from_world(p), layers);
             }
         }
         before = p;

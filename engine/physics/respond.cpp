@@ -50,8 +50,8 @@ SurfaceMotion surface_motion_of(const WorldState& w, const Contact& c, const Vec
     if (c.mover < 0) return m;
     const Mover& mover = at(w.program().movers, c.mover);
     const MoverState& state = at(w.movers, c.mover);
-    m.velocity = velocity_of(mover, state, point);
-    const Vec2 per_rate = state.rotates ? Vec2(mover.handedness * perpendicular(point - mover.pivot)) : state.axis;
+    m.velocity = velocity_of(mover, state.rate, point);
+    const Vec2 per_rate = velocity_of(mover, 1, point);
     m.lever_normal = dot(per_rate, c.normal);
     m.lever_tangent = dot(per_rate, tangent);
     m.acceleration = state.acceleration * m.lever_normal;
@@ -200,7 +200,7 @@ void gather(WorldState& w, std::size_t i, const Contact& first) {
         MoverState now = state;  // the surface as it stands at the ball's time
         const double dt = w.work[i].time - w.mover_work[m].time;
         if (!w.mover_work[m].stalled) now.q += dt * state.rate + 0.5 * dt * dt * state.acceleration;
-        const Pose pose = pose_of(mover, state.rotates, state.axis, now.q);
+        const Pose pose = pose_of(mover, now.q);
         w.prepared->movers[m].touching(pose.place_from_world(ball.position), r, skin, ball.layer, w.touches);
         take(static_cast<int>(m), pose);
     }

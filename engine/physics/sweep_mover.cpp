@@ -16,7 +16,6 @@ namespace {
 constexpr int most_evaluations = 64;
 constexpr double largest_turn = pi / 4;
 
-
 /// What a rotating part looks like from a point in its frame: the nearest surface, and a certified time without contact.
 struct View {
     FieldHit hit;              ///< nearest of the surfaces that are reached and closing; none: solid < 0
@@ -28,13 +27,9 @@ struct View {
 struct Rotation {
     const SweptField& swept;
     const Mover& mover;
-    double angle, rate, acceleration;  ///< counter-clockwise in the world
+    double q, rate, acceleration;
 
-    double angle_at(double t) const { return angle + rate * t + 0.5 * acceleration * t * t; }
-    Pose pose_at(double t) const {
-        const SineCosine turn = sine_cosine(angle_at(t));
-        return {mover.cosine * turn.cosine - mover.sine * turn.sine, mover.sine * turn.cosine + mover.cosine * turn.sine, mover.pivot};
-    }
+    Pose pose_at(double t) const { return pose_of(mover, q + rate * t + 0.5 * acceleration * t * t); }
     double top_rate(double t, double end) const {
         return std::max(std::fabs(rate + acceleration * t), std::fabs(rate + acceleration * end));
     }
@@ -48,9 +43,9 @@ struct Bounds {
 Bounds bounds_over(const Rotation& r, const Motion& ball, double t, double end) {
     const Motion from = ball.from(t);
     const double turn = r.top_rate(t, end), speed = from.top_speed(end - t);
-    const double lever = length(from.position - r.mover.pivot) + from.travel(end - t);
-    return {speed + turn * std::min(lever, r.mover.bounding_radius),
-            length(ball.acceleration) + 2 * turn * speed + turn * turn * lever + std::fabs(r.acceleration) * lever};
+    const double arm = length(from.position - r.mover.pivot) + from.travel(end - t);
+    return {speed + turn * std::min(arm, r.mover.bounding_radius),
+            length(ball.acceleration) + 2 * turn * speed + turn * turn * arm + std::fabs(r.acceleration) * arm};
 }
 
 double plane_step(double spare, double closing, double acceleration) {
@@ -121,9 +116,8 @@ MoverHit sweep_rotating(const Rotation& r, const Motion& ball, double duration, 
             bounds = bounds_over(r, ball, t, end);
         }
         const Pose pose = r.pose_at(t);
-        const Vec2 arm = ball.at(t) - r.mover.pivot;
-        const Vec2 x = pose.from_world(arm);
-        const Vec2 v = pose.from_world(ball.velocity_at(t) - (r.rate + r.acceleration * t) * perpendicular(arm));
+        const Vec2 x = pose.place_from_world(ball.at(t));
+        const Vec2 v = pose.from_world(ball.velocity_at(t) - velocity_of(r.mover, r.rate + r.acceleration * t, ball.at(t)));
         View view = look(r, x, v, bounds, radius, level, accepted, layers);
         if (evaluations == 0 && view.gap <= band.touching()) {
             level = view.closing > 0 ? std::min(level, view.gap) : band.floor_below(view.gap);
@@ -151,33 +145,19 @@ MoverHit sweep_rotating(const Rotation& r, const Motion& ball, double duration, 
 
 }  // namespace
 
-Pose pose_of(const Mover& mover, bool rotates, const Vec2& axis, double q) {
-    if (!rotates) return {mover.cosine, mover.sine, mover.pivot + q * axis};
-    const SineCosine turn = sine_cosine(mover.handedness * q);
-    return {mover.cosine * turn.cosine - mover.sine * turn.sine, mover.sine * turn.cosine + mover.cosine * turn.sine, mover.pivot};
-}
-
-Vec2 velocity_of(const Mover& mover, const MoverState& state, const Vec2& p) {
-    if (!state.rotates) return state.rate * state.axis;
-    return (mover.handedness * state.rate) * perpendicular(p - mover.pivot);
-}
-
 MoverHit sweep_mover(const SweptField& swept, const Mover& mover, const MoverState& state, const Motion& ball, double duration,
                      double radius, const ContactBand& band, LayerMask layers, SweepStats& stats) {
-    const double swing = state.rotates ? 0.0 : std::fabs(state.q) + std::fabs(state.rate) * duration;
-    const double gap = length(ball.position - mover.pivot) - mover.bounding_radius - radius - swing;
+    const double way = mover.slides ? std::fabs(state.q) + std::fabs(state.rate) * duration : 0.0;
+    const double gap = length(ball.position - mover.pivot) - mover.bounding_radius - radius - way;
     if (gap > ball.travel(duration) + band.tolerance) return {};
     const bool still = state.rate == 0 && state.acceleration == 0;
-    if (state.rotates && !still) {
-        const double hand = mover.handedness;
-        return sweep_rotating({swept, mover, hand * state.q, hand * state.rate, hand * state.acceleration}, ball, duration,
-                              radius, band, layers, stats);
-    }
-    const Pose pose = pose_of(mover, state.rotates, state.axis, state.q);
+    if (!mover.slides && !still)
+        return sweep_rotating({swept, mover, state.q, state.rate, state.acceleration}, ball, duration, radius, band, layers, stats);
+    const Pose pose = pose_of(mover, state.q);
     Motion seen{pose.place_from_world(ball.position), pose.from_world(ball.velocity), pose.from_world(ball.acceleration)};
-    if (!state.rotates) {
-        seen.velocity -= pose.from_world(state.rate * state.axis);
-        seen.acceleration -= pose.from_world(state.acceleration * state.axis);
+    if (mover.slides) {
+        seen.velocity -= pose.from_world(state.rate * mover.axis);
+        seen.acceleration -= pose.from_world(state.acceleration * mover.axis);
     }
     const FieldSweep at_rest = swept.sweep(seen, duration, radius, band, layers, 2 * band.tolerance, stats);
     MoverHit out{at_rest.hit, at_rest.clear_until};

@@ -78,7 +78,7 @@ void drive_movers(WorldState& w) {
                                       [&](int input) { return at(w.pressed, input); });
         switch_mover(w.movers[m], held);
         if (drive_mover(w.program(), static_cast<int>(m), w.movers[m], w.physics.step))
-            w.events.push_back({w.tick, w.start_time(), EventKind::launch, {}, part.origin, mover.pivot, w.movers[m].axis,
+            w.events.push_back({w.tick, w.start_time(), EventKind::launch, {}, part.origin, mover.pivot, mover.axis,
                                 std::fabs(w.movers[m].rate)});
         w.mover_work[m] = {};
     }

@@ -7,6 +7,7 @@
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/parts.h"
+#include "engine/program/pose.h"
 #include "engine/scene/parts/spawn.h"
 
 namespace pinfield {
@@ -20,12 +21,6 @@ std::vector<SweptField> swept_movers(const Program& program) {
     std::vector<SweptField> swept;
     for (const Mover& mover : program.movers) swept.emplace_back(mover.field);
     return swept;
-}
-
-/// The world's frame at q for the mover's field, from the program alone.
-Pose pose_in(const Program& program, std::size_t mover, double q) {
-    const MoverState state = mover_at_rest(program, static_cast<int>(mover));
-    return pose_of(program.movers[mover], state.rotates, state.axis, q);
 }
 
 void take_physics(WorldState& w) {
@@ -163,7 +158,7 @@ void World::set_program(ProgramPtr program) {
     const auto origin = [](const Program& p, std::size_t m) { return at(p.parts, p.movers[m].part).origin; };
     for (std::size_t m = 0; m < w.movers.size(); ++m)
         for (std::size_t k = 0; k < movers.size(); ++k)
-            if (origin(w.program(), m) == origin(*before->program, k) && w.movers[m].rotates == movers[k].rotates)
+            if (origin(w.program(), m) == origin(*before->program, k) && w.program().movers[m].slides == before->program->movers[k].slides)
                 keep_motion(w.movers[m], movers[k]);
     w.pressed.assign(w.program().inputs.size(), false);
     for (std::size_t k = 0; k < w.pressed.size(); ++k)
@@ -232,7 +227,7 @@ Gap gap_at(const Program& program, std::span<const double> q, const Vec2& p, Lay
     };
     take(program.fixed, nearest(program.fixed, p, layers, reach), -1, {});
     for (std::size_t m = 0; m < program.movers.size(); ++m) {
-        const Pose pose = pose_in(program, m, q[m]);
+        const Pose pose = pose_of(program.movers[m], q[m]);
         const Field& field = program.movers[m].field;
         take(field, nearest(field, pose.place_from_world(p), layers, reach), static_cast<int>(m), pose);
     }

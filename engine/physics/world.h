@@ -12,10 +12,8 @@
 
 namespace pinfield {
 
-/// Where a mover is and how it moves: q is an angle in radians (rotation) or a distance in metres (translation).
+/// Where a mover is and how it moves: q is an angle in radians, or, of a mover that slides, a distance in metres.
 struct MoverState {
-    bool rotates = true;
-    Vec2 axis{0, 1};      ///< world direction of a translation
     double q = 0, rate = 0, acceleration = 0;
     double q_min = 0, q_max = 0;  ///< end-stops
     double drive_time = 0;        ///< seconds since the drive began: the torque ramp

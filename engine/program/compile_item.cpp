@@ -129,6 +129,8 @@ Mover compile_mover(CompileContext& context, const Item& item, int part) {
     mover.cosine = world_from_part.cosine;
     mover.sine = world_from_part.sine;
     mover.handedness = world_from_part.mirrored ? -1 : 1;
+    mover.slides = context.scene.find(item.node)->type->part->slides;
+    mover.axis = world_from_part.direction({0, 1});
     const Similarity mover_from_part{.scale = world_from_part.scale, .mirrored = world_from_part.mirrored};
     mover.field = compile_solid(context, item, mover_from_part);
     for (Solid& solid : mover.field.solids) solid.part = part;

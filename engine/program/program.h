@@ -73,7 +73,8 @@ struct Field {
     double horizon = infinity;         ///< the least of the solids'
 };
 
-/// A solid with one degree of freedom: world_from_mover(q) is a rotation by q about `pivot`, or a translation by q along `axis`.
+/// A solid with one degree of freedom q: it turns by q radians about `pivot`, or slides by q metres along `axis`. Where it then stands says
+/// pose.h.
 struct Mover {
     /// In the mover's frame: origin at the pivot, x axis along the part's own (its turn is not in the shapes but in the motion),
     /// metres. The part's scale and mirroring are in the shapes. At q = 0 world = pivot + rotation(cosine, sine) * p.
@@ -82,6 +83,8 @@ struct Mover {
     Vec2 pivot{0, 0};   ///< world
     double cosine = 1, sine = 0;  ///< of the part's turn in the world: mover frame -> world at q = 0
     double handedness = 1;        ///< -1 when the part's frame is mirrored: angles turn the other way
+    bool slides = false;          ///< or turns
+    Vec2 axis{0, 1};              ///< world, unit; of one that slides
     double bounding_radius = 0;  ///< largest distance of its solid from the pivot, metres
 };
 

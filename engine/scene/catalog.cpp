@@ -34,6 +34,7 @@ template <class P>
 const PartTraits& traits_of() {
     static const PartTraits traits = [] {
         PartTraits t{.role = P::role};
+        if constexpr (requires { P::slides; }) t.slides = P::slides;
         if constexpr (requires(const P& p) { p.customary_shape(); }) t.customary_shape = customary_shape<P>;
         return t;
     }();

@@ -21,6 +21,7 @@ struct CustomaryShape {
 
 struct PartTraits {
     Role role = Role::solid;
+    bool slides = false;  ///< of a mover: it slides along its local y axis; false: it turns about its local origin
     /// The shape of a part without children, from the part's packed block.
     CustomaryShape (*customary_shape)(const double* params) = nullptr;
 };

@@ -186,7 +186,7 @@ TEST_CASE("the sweep against a turning bat never misses what dense sampling find
         Motion ball = random_motion(rng, 10, 1);
         ball.position = mover.pivot + 0.6 * ball.position;
         const auto gap = [&](double t) {
-            const Pose pose = pose_of(mover, true, {0, 1}, state.q + state.rate * t + 0.5 * state.acceleration * t * t);
+            const Pose pose = pose_of(mover, state.q + state.rate * t + 0.5 * state.acceleration * t * t);
             return nearest(mover.field, pose.place_from_world(ball.at(t))).distance - r;
         };
         if (gap(0) < 2e-7) continue;

@@ -6,7 +6,6 @@ namespace pinfield {
 
 MoverState flipper_at_rest(const parts::Flipper& flipper, double scale) {
     MoverState s;
-    s.rotates = true;
     s.q = radians(flipper.rest);
     const double raised = radians(flipper.rest + flipper.swing);
     s.q_min = raised < s.q ? raised : s.q;

@@ -5,6 +5,7 @@
 #include "engine/physics/mechanisms/plunger.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/parts.h"
+#include "engine/program/pose.h"
 #include "engine/scene/parts/bumper.h"
 #include "engine/scene/parts/drain.h"
 
@@ -21,8 +22,12 @@ const Part& part_of(const Program& program, int mover) {
 MoverState mover_at_rest(const Program& program, int mover) {
     const Part& part = part_of(program, mover);
     if (part.is<parts::Flipper>()) return flipper_at_rest(part.as<parts::Flipper>(), part.world_from_part.scale);
-    if (part.is<parts::Plunger>()) return plunger_at_rest(part.as<parts::Plunger>(), part.world_from_part);
+    if (part.is<parts::Plunger>()) return plunger_at_rest(part.as<parts::Plunger>(), part.world_from_part.scale);
     return {};
+}
+
+Similarity world_from_resting_mover(const Program& program, int mover) {
+    return world_from_mover(at(program.movers, mover), mover_at_rest(program, mover).q);
 }
 
 bool drive_mover(const Program& program, int mover, MoverState& state, double step) {
@@ -47,8 +52,8 @@ void hit_end_stop(const Program& program, int mover, MoverState& state, double s
 }
 
 double mover_reach(const Program& program, int mover, const MoverState& state) {
-    const double lever = at(program.movers, mover).bounding_radius;
-    return state.rotates ? lever : lever + std::max(std::fabs(state.q_min), std::fabs(state.q_max));
+    const Mover& shape = at(program.movers, mover);
+    return shape.slides ? shape.bounding_radius + std::max(std::fabs(state.q_min), std::fabs(state.q_max)) : shape.bounding_radius;
 }
 
 double kick_of(const Part& part, double speed) {

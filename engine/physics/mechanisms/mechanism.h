@@ -9,6 +9,8 @@ namespace pinfield {
 
 /// The mover's state when a game starts: end-stops, axis, inertia.
 MoverState mover_at_rest(const Program& program, int mover);
+/// Where it then stands.
+Similarity world_from_resting_mover(const Program& program, int mover);
 
 /// Sets acceleration (and, for kinematic parts, rate) for the coming tick of `step` seconds.
 /// True when a plunger was let go just now.

@@ -2,11 +2,9 @@
 
 namespace pinfield {
 
-MoverState plunger_at_rest(const parts::Plunger& plunger, const Similarity& world_from_part) {
+MoverState plunger_at_rest(const parts::Plunger& plunger, double scale) {
     MoverState s;
-    s.rotates = false;
-    s.axis = world_from_part.direction({0, 1});
-    s.q_min = -world_from_part.scale * plunger.stroke;
+    s.q_min = -scale * plunger.stroke;
     s.q_max = 0;
     return s;
 }

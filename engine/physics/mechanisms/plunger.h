@@ -6,8 +6,8 @@
 
 namespace pinfield {
 
-/// q = 0 is the rod at rest, q = -stroke fully drawn; `world_from_part` gives axis and scale.
-MoverState plunger_at_rest(const parts::Plunger& plunger, const Similarity& world_from_part);
+/// q = 0 is the rod at rest, q = -stroke fully drawn, `scale` times as long in the world as in the part.
+MoverState plunger_at_rest(const parts::Plunger& plunger, double scale);
 /// True in the tick in which the rod is let go.
 bool drive_plunger(const parts::Plunger& plunger, MoverState& state);
 

@@ -17,6 +17,7 @@ struct Plunger {
     std::vector<std::string> input;
 
     static constexpr Role role = Role::mover;
+    static constexpr bool slides = true;
     template <template <class> class Shape = sdf::Box>
     Shape<double> customary_shape() const { return {size, 0.0}; }
     Similarity part_from_shape() const { return Similarity::translation({0, -0.5 * size.y}); }
