@@ -1,99 +1,120 @@
-// Equality of programs, bit for bit.
+// Equality of programs, bit for bit. Every struct is taken apart by a structured binding that names all its members, so that a new member
+// does not compile until it is compared, too.
 #pragma once
 #include <bit>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "engine/program/program.h"
 
 namespace pinfield::test {
 
-inline bool same(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
-inline bool same(const Vec2& a, const Vec2& b) { return same(a.x(), b.x()) && same(a.y(), b.y()); }
-inline bool same(const Box2& a, const Box2& b) { return same(a.lo, b.lo) && same(a.hi, b.hi); }
-inline bool same(int a, int b) { return a == b; }
-inline bool same(const Similarity& a, const Similarity& b) {
-    return same(a.cosine, b.cosine) && same(a.sine, b.sine) && same(a.scale, b.scale) && a.mirrored == b.mirrored &&
-           same(a.offset, b.offset);
+inline auto members(const Box2& box) {
+    const auto& [lo, hi] = box;
+    return std::tie(lo, hi);
 }
-inline bool same(const Op& a, const Op& b) {
-    return a.kernels == b.kernels && a.params == b.params && a.param_count == b.param_count &&
-           a.first_link == b.first_link && a.child_count == b.child_count && a.first_image == b.first_image &&
-           a.image_count == b.image_count && same(a.local_from_field, b.local_from_field) && same(a.scale, b.scale) &&
-           same(a.bounds, b.bounds) && a.exactness == b.exactness && a.origin == b.origin && a.material == b.material;
+inline auto members(const Similarity& similarity) {
+    const auto& [cosine, sine, scale, mirrored, offset] = similarity;
+    return std::tie(cosine, sine, scale, mirrored, offset);
 }
-inline bool same(const Solid& a, const Solid& b) {
-    return a.root == b.root && same(a.bounds, b.bounds) && a.origin == b.origin && a.part == b.part && a.layers == b.layers &&
-           a.visible == b.visible && a.is_domain == b.is_domain && a.lowered == b.lowered && same(a.fit_error, b.fit_error) &&
-           same(a.horizon, b.horizon) && a.first_piece == b.first_piece && a.piece_count == b.piece_count;
+inline auto members(const Op& op) {
+    const auto& [kernels, params, param_count, first_link, child_count, first_image, image_count, local_from_field, scale, bounds,
+                 exactness, origin, material] = op;
+    return std::tie(kernels, params, param_count, first_link, child_count, first_image, image_count, local_from_field, scale, bounds,
+                    exactness, origin, material);
 }
-inline bool same(const BoundaryPiece& a, const BoundaryPiece& b) {
-    const sdf::Piece &p = a.piece, &q = b.piece;
-    return same(p.a, q.a) && same(p.b, q.b) && same(p.centre, q.centre) && same(p.radius, q.radius) &&
-           p.turn == q.turn && p.reflex == q.reflex && a.solid == b.solid && a.leaf == b.leaf && a.layers == b.layers;
+inline auto members(const Solid& solid) {
+    const auto& [root, bounds, origin, part, layers, visible, is_domain, lowered, fit_error, horizon, first_piece, piece_count] = solid;
+    return std::tie(root, bounds, origin, part, layers, visible, is_domain, lowered, fit_error, horizon, first_piece, piece_count);
 }
-bool same(const Mover& a, const Mover& b);
-bool same(const Sensor& a, const Sensor& b);
-bool same(const Part& a, const Part& b);
-bool same(const MaterialRecord& a, const MaterialRecord& b);
-template <class T>
-bool same(const std::vector<T>& a, const std::vector<T>& b) {
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        if (!same(a[i], b[i])) return false;
-    return true;
+inline auto members(const sdf::Piece& piece) {
+    const auto& [a, b, centre, radius, turn, reflex] = piece;
+    return std::tie(a, b, centre, radius, turn, reflex);
+}
+inline auto members(const BoundaryPiece& boundary) {
+    const auto& [piece, solid, leaf, layers] = boundary;
+    return std::tie(piece, solid, leaf, layers);
+}
+inline auto members(const Field& field) {
+    const auto& [ops, links, images, params, solids, pieces, bvh, tree_solids, horizon] = field;
+    return std::tie(ops, links, images, params, solids, pieces, bvh, tree_solids, horizon);
+}
+inline auto members(const Mover& mover) {
+    const auto& [field, part, pivot, cosine, sine, handedness, slides, axis, bounding_radius] = mover;
+    return std::tie(field, part, pivot, cosine, sine, handedness, slides, axis, bounding_radius);
+}
+inline auto members(const Sensor& sensor) {
+    const auto& [field, part] = sensor;
+    return std::tie(field, part);
+}
+inline auto members(const Part& part) {
+    const auto& [type, origin, name, world_from_part, params, inputs, solid, mover, sensor] = part;
+    return std::tie(type, origin, name, world_from_part, params, inputs, solid, mover, sensor);
+}
+inline auto members(const MaterialRecord& material) {
+    const auto& [name, restitution, falloff, tangential, friction, scatter_degrees, color] = material;
+    return std::tie(name, restitution, falloff, tangential, friction, scatter_degrees, color);
+}
+inline auto members(const PhysicsRecord& physics) {
+    const auto& [step, integrator, gravity, ball_radius, ball_mass, ball_restitution, tolerance, rest_speed] = physics;
+    return std::tie(step, integrator, gravity, ball_radius, ball_mass, ball_restitution, tolerance, rest_speed);
 }
 
 /// The order in which a hierarchy visits its entries says all that can be observed of it.
-inline bool same_visits(const Field& a, const Field& b) {
-    std::vector<int> visits[2];
-    for (int k = 0; k < 2; ++k) {
-        const Bvh& bvh = k == 0 ? a.bvh : b.bvh;
-        for (const Vec2& p : {Vec2(0.1, 0.2), Vec2(-0.3, 0.7), Vec2(0.26, 0.9)})
-            bvh.nearest(p, infinity, [&](int entry) {
-                visits[k].push_back(entry);
-                return infinity;
-            });
-        bvh.overlapping(Box2::of({0.1, 0.1}, {0.4, 0.6}), [&](int entry) { visits[k].push_back(entry); });
+inline std::vector<int> visits_of(const Bvh& bvh) {
+    std::vector<int> visits;
+    for (const Vec2& p : {Vec2(0.1, 0.2), Vec2(-0.3, 0.7), Vec2(0.26, 0.9)})
+        bvh.nearest(p, infinity, [&](int entry) {
+            visits.push_back(entry);
+            return infinity;
+        });
+    bvh.overlapping(Box2::of({0.1, 0.1}, {0.4, 0.6}), [&](int entry) { visits.push_back(entry); });
+    return visits;
+}
+
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+
+/// A struct that is not taken apart above compiles only if it has an operator== of its own.
+template <class T>
+bool same(const T& a, const T& b) {
+    if constexpr (std::is_same_v<T, double>) {
+        return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+    } else if constexpr (std::is_same_v<T, Vec2>) {
+        return same(a.x(), b.x()) && same(a.y(), b.y());
+    } else if constexpr (std::is_same_v<T, Bvh>) {
+        return visits_of(a) == visits_of(b);
+    } else if constexpr (is_vector<T>) {
+        if (a.size() != b.size()) return false;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            if (!same(a[i], b[i])) return false;
+        return true;
+    } else if constexpr (requires { members(a); }) {
+        const auto all = [&]<std::size_t... I>(std::index_sequence<I...>) {
+            return (same(std::get<I>(members(a)), std::get<I>(members(b))) && ...);
+        };
+        return all(std::make_index_sequence<std::tuple_size_v<decltype(members(a))>>());
+    } else {
+        return a == b;
     }
-    return visits[0] == visits[1];
 }
-inline bool same(const Field& a, const Field& b) {
-    return same(a.ops, b.ops) && a.links == b.links && same(a.images, b.images) && same(a.params, b.params) &&
-           same(a.solids, b.solids) && same(a.pieces, b.pieces) && a.tree_solids == b.tree_solids && same_visits(a, b);
-}
-inline bool same(const Mover& a, const Mover& b) {
-    return same(a.field, b.field) && a.part == b.part && same(a.pivot, b.pivot) && same(a.cosine, b.cosine) &&
-           same(a.sine, b.sine) && same(a.handedness, b.handedness) && same(a.bounding_radius, b.bounding_radius);
-}
-inline bool same(const Sensor& a, const Sensor& b) { return same(a.field, b.field) && a.part == b.part; }
-inline bool same(const Part& a, const Part& b) {
-    return a.type == b.type && a.origin == b.origin && a.name == b.name && same(a.world_from_part, b.world_from_part) &&
-           same(a.params, b.params) && a.inputs == b.inputs && a.solid == b.solid && a.mover == b.mover &&
-           a.sensor == b.sensor;
-}
-inline bool same(const MaterialRecord& a, const MaterialRecord& b) {
-    return a.name == b.name && same(a.restitution, b.restitution) && same(a.falloff, b.falloff) &&
-           same(a.tangential, b.tangential) && same(a.friction, b.friction) &&
-           same(a.scatter_degrees, b.scatter_degrees) && a.color == b.color;
-}
-inline bool same(const PhysicsRecord& a, const PhysicsRecord& b) {
-    return same(a.step, b.step) && a.integrator == b.integrator && same(a.gravity, b.gravity) &&
-           same(a.ball_radius, b.ball_radius) && same(a.ball_mass, b.ball_mass) &&
-           same(a.ball_restitution, b.ball_restitution) && same(a.tolerance, b.tolerance) &&
-           same(a.rest_speed, b.rest_speed);
-}
+
 /// Empty, or the first thing that differs.
 inline std::string difference(const Program& a, const Program& b) {
-    if (!same(a.fixed.ops, b.fixed.ops)) return "ops";
-    if (!same(a.fixed.solids, b.fixed.solids)) return "solids";
-    if (!same(a.fixed.pieces, b.fixed.pieces)) return "pieces";
-    if (!same(a.fixed, b.fixed)) return "fixed field";
-    if (!same(a.movers, b.movers)) return "movers";
-    if (!same(a.sensors, b.sensors)) return "sensors";
-    if (!same(a.parts, b.parts)) return "parts";
-    if (!same(a.materials, b.materials)) return "materials";
-    if (!same(a.physics, b.physics)) return "physics";
-    if (a.inputs != b.inputs || a.layers != b.layers || !same(a.size, b.size) || a.name != b.name) return "the rest";
+    const auto& [fixed, movers, sensors, parts, materials, inputs, layers, physics, size, name] = a;
+    if (!same(fixed.ops, b.fixed.ops)) return "ops";
+    if (!same(fixed.solids, b.fixed.solids)) return "solids";
+    if (!same(fixed.pieces, b.fixed.pieces)) return "pieces";
+    if (!same(fixed, b.fixed)) return "fixed field";
+    if (!same(movers, b.movers)) return "movers";
+    if (!same(sensors, b.sensors)) return "sensors";
+    if (!same(parts, b.parts)) return "parts";
+    if (!same(materials, b.materials)) return "materials";
+    if (!same(physics, b.physics)) return "physics";
+    if (inputs != b.inputs || layers != b.layers || !same(size, b.size) || name != b.name) return "the rest";
     return {};
 }
 
