@@ -38,17 +38,8 @@ Exit exit_of(const Nearest& nearest, const Vec2& p);
 Nearest nearest_of_solid(const Field& field, int solid, const Vec2& p);
 
 /// Raw value and gradient of an op's tree: what its formula says, exact or only a bound: op.exactness says which.
-/// `leaf` receives the winning leaf: the one of the greatest blend weight, the first of equals.
+/// `leaf` receives the winning leaf: the one with whose own value the tree's moves most, the first of equals.
 sdf::Sample evaluate_tree(const Field& field, int op, const Vec2& p, int* leaf = nullptr);
-
-/// How much of an op's surface is a leaf's: how much the value moves with the leaf's own.
-struct BlendWeight {
-    int leaf = 0;       ///< op
-    double weight = 0;  ///< > 0
-};
-/// All leaves that the tree's value at p depends on, in the tree's order; their weights add up to 1. Hard operations hand all of it to the
-/// winner, smooth ones divide it by their partial derivatives, multiplied along the way down (the chain rule).
-std::vector<BlendWeight> blend_weights(const Field& field, int op, const Vec2& p);
 
 /// Distance from p to a boundary piece, unsigned, with the foot point.
 double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot);

@@ -8,7 +8,6 @@
 #include "engine/core/geometry.h"
 #include "engine/reflect/exactness.h"
 #include "engine/sdf/clearance.h"
-#include "engine/sdf/enclosures.h"
 #include "engine/sdf/lattice.h"
 #include "engine/sdf/outline.h"
 
@@ -87,15 +86,12 @@ struct Kernels {
     void (*derive)(double* params) = nullptr;
     Exactness (*exactness)(const double* params, std::span<const Exactness> children) = nullptr;
     std::array<PacketKernels, isa_count> packets{};  ///< an empty entry falls back to sse2
-    Enclosures enclosures;
 
     // shape
     double (*distance)(const double* params, double x, double y) = nullptr;
     Sample (*sample)(const double* params, double x, double y) = nullptr;
     Box2 (*bounds)(const double* params) = nullptr;
     void (*outline)(const double* params, Outline& out) = nullptr;  ///< null: never of lines and arcs; may give none
-    /// Points of the outline from the shape's parametric definition, for tests and for shapes without `outline`.
-    void (*trace)(const double* params, int points, std::vector<Vec2>& out) = nullptr;
     bool convex = false;
     bool endless = false;  ///< a half plane: its outline is all of the local x axis
 

@@ -69,8 +69,6 @@ void fill_shape(Kernels& k) {
     }
     if constexpr (requires(const T& node, Outline& out) { node.outline(out); })
         k.outline = [](const double* params, Outline& out) { load<T>(params).outline(out); };
-    if constexpr (requires(const T& node, int n, std::vector<Vec2>& out) { node.trace(n, out); })
-        k.trace = [](const double* params, int n, std::vector<Vec2>& out) { load<T>(params).trace(n, out); };
     if constexpr (requires { { T::convex } -> std::convertible_to<bool>; }) k.convex = T::convex;
     if constexpr (requires { { T::endless } -> std::convertible_to<bool>; }) k.endless = T::endless;
 }
@@ -134,8 +132,7 @@ void fill_warp(Kernels& k) {
 
 }  // namespace detail
 
-/// The dispatch table of node template N, with the packet kernels of the baseline instruction set alone and
-/// without enclosures: see own_node.h for all that a program needs of one.
+/// The dispatch table of node template N, with the packet kernels of the baseline instruction set alone.
 template <template <class> class N>
 Kernels make_kernels() {
     using T = N<double>;

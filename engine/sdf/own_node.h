@@ -1,7 +1,6 @@
-// A node of a program's own, complete: what its catalog takes. The engine's nodes have the same from units of their own, so that each
-// compiles only a part of it.
+// A node of a program's own, complete: what its catalog takes. The engine's nodes have the same from units of their own, and packets of
+// every instruction set.
 #pragma once
-#include "engine/sdf/make_enclosures.h"
 #include "engine/sdf/make_kernels.h"
 
 namespace pinfield::sdf {
@@ -9,11 +8,7 @@ namespace pinfield::sdf {
 /// The dispatch table of node template N, with packet kernels of the baseline instruction set.
 template <template <class> class N>
 const Kernels& kernels_of() {
-    static const Kernels kernels = [] {
-        Kernels k = make_kernels<N>();
-        k.enclosures = enclosures<N>();
-        return k;
-    }();
+    static const Kernels kernels = make_kernels<N>();
     return kernels;
 }
 

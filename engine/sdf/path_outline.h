@@ -5,7 +5,7 @@
 #include "engine/core/geometry.h"
 #include "engine/sdf/outline.h"
 #include "engine/sdf/path_piece.h"
-#include "engine/sdf/tracing.h"
+#include "engine/sdf/plain_stroke.h"
 
 namespace pinfield::sdf {
 

@@ -1,8 +1,14 @@
 // Whether a wall along a curve is exact inside, by trying.
 #pragma once
-#include "engine/sdf/tracing.h"
+#include "engine/core/geometry.h"
+#include "engine/core/trig.h"
 
 namespace pinfield::sdf {
+
+/// A point of a wall's middle line and the unit vector along it.
+struct CurvePoint {
+    Vec2 at, along;
+};
 
 /// Of a wall: round, or one and the same place, passed through without a bend.
 enum class StrokeEnds : unsigned char { round, joined };

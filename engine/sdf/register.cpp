@@ -22,13 +22,8 @@ BuiltIn all_families() {
         family.add(out.types, out.kernels);
         const std::size_t count = out.kernels.size() - first;
         std::vector<PacketKernels> avx2(count);
-        std::vector<Enclosures> enclosures(count);
         family.fill_avx2(avx2.data());
-        family.fill_enclosures(enclosures.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            at(out.kernels[first + i].packets, Isa::avx2) = avx2[i];
-            out.kernels[first + i].enclosures = enclosures[i];
-        }
+        for (std::size_t i = 0; i < count; ++i) at(out.kernels[first + i].packets, Isa::avx2) = avx2[i];
     }
     for (std::size_t i = 0; i < out.types.size(); ++i) out.types[i].kernels = &out.kernels[i];
     return out;

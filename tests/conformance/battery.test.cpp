@@ -18,7 +18,7 @@ TEST_CASE("every shape and operation of the catalog obeys every law") {
 TEST_CASE("a report names each broken law once, with the parameters, the place and the numbers of its first violations") {
     Catalog catalog;
     sdf::add_built_in(catalog);
-    CHECK(Catch::Detail::stringify(check(*catalog.find("circle"), 1)) == "circle obeys every law");
+    CHECK(Catch::Detail::stringify(check(catalog, *catalog.find("circle"), 1)) == "circle obeys every law");
 
     const Report report = check<sdf::faulty::OverEstimate>(0);
     REQUIRE_FALSE(report);

@@ -47,7 +47,7 @@ std::string text(const Report& report) {
 
 std::ostream& operator<<(std::ostream& out, const Report& report) { return out << text(report); }
 
-Report check(const Catalog& catalog, const NodeType& type, int random_sets) {
+Report check(const Catalog& catalog, const NodeType& type, const Witness& witness, int random_sets) {
     Report report{std::string(type.key()), {}};
     CounterRng rng(2024);
     std::vector<Values> sets{defaults_of(type)};
@@ -61,14 +61,18 @@ Report check(const Catalog& catalog, const NodeType& type, int random_sets) {
     std::uint64_t seed = 1;
     for (const Values& values : sets)
         for (const Subject& subject : subjects_of(catalog, type, values))
-            for (Violation& violation : check(subject, ++seed)) report.violations.push_back(std::move(violation));
+            for (Violation& violation : check(subject, witness, ++seed)) report.violations.push_back(std::move(violation));
     return report;
 }
 
-Report check(const NodeType& type, int random_sets) {
+Report check(const Catalog& catalog, const NodeType& type, int random_sets) {
+    return check(catalog, type, witness_of(*type.kernels), random_sets);
+}
+
+Report check(const NodeType& type, const Witness& witness, int random_sets) {
     Catalog built_in;
     sdf::add_built_in(built_in);
-    return check(built_in, type, random_sets);
+    return check(built_in, type, witness, random_sets);
 }
 
 }  // namespace pinfield::conformance

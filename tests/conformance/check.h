@@ -11,6 +11,7 @@
 
 #include "engine/reflect/catalog.h"
 #include "engine/sdf/own_node.h"
+#include "tests/conformance/witness.h"
 
 namespace pinfield::conformance {
 
@@ -32,16 +33,19 @@ struct Report {
 std::string text(const Report& report);
 std::ostream& operator<<(std::ostream& out, const Report& report);
 
-/// A node type with default, random and degenerate parameters, the same ones in every run. `catalog` provides circle, box,
-/// intersection and complement as children of operations; the type need not be in it.
+/// A built-in node type with default, random and degenerate parameters, the same ones in every run. `catalog` provides circle, box,
+/// intersection and complement as children of operations.
 Report check(const Catalog& catalog, const NodeType& type, int random_sets);
+/// Any node type, of which the laws know what the witness says; it need not be in the catalog.
+Report check(const Catalog& catalog, const NodeType& type, const Witness& witness, int random_sets);
 /// The same over the built-in catalog.
-Report check(const NodeType& type, int random_sets);
+Report check(const NodeType& type, const Witness& witness, int random_sets);
 
-/// Node template N: what sdf_node_type<N>() gives a program's own catalog.
+/// Node template N: what sdf_node_type<N>() gives a program's own catalog. A shape that is not of lines and arcs may have its outline
+/// checked against a parametric one.
 template <template <class> class N>
-Report check(int random_sets = 40) {
-    return check(sdf::sdf_node_type<N>(), random_sets);
+Report check(int random_sets = 40, ParametricOutline outline = nullptr) {
+    return check(sdf::sdf_node_type<N>(), {sdf::enclosures<N>(), outline}, random_sets);
 }
 
 }  // namespace pinfield::conformance

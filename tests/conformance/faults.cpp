@@ -22,11 +22,12 @@ Report checked_disc(void (*tamper)(sdf::Kernels&)) {
     Catalog catalog;
     sdf::add_built_in(catalog);
     NodeType disc = *catalog.find("circle");
+    const Witness& witness = witness_of(*disc.kernels);
     disc.meta.key = "tampered_disc";
     sdf::Kernels tampered = *disc.kernels;
     tamper(tampered);
     disc.kernels = &tampered;
-    return check(catalog, catalog.add(disc), 1);
+    return check(catalog, catalog.add(disc), witness, 1);
 }
 
 sdf::PacketDistance sound_packets = nullptr;

@@ -63,8 +63,8 @@ void add_special_points(const Subject& subject, const sdf::Outline& pieces, doub
 
 }  // namespace
 
-Trial trial_of(const Subject& subject, std::uint64_t seed, std::size_t random_count) {
-    Trial trial{subject, subject.extent(), subject.exactness()};
+Trial trial_of(const Subject& subject, const Witness& witness, std::uint64_t seed, std::size_t random_count) {
+    Trial trial{subject, witness, subject.extent(), subject.exactness()};
     CounterRng rng(seed);
     const Box2 bounds = subject.bounds(), around = Box2::centred(3 * trial.extent, 3 * trial.extent);
     const Box2 near = bounds.is_finite() && !bounds.is_empty() ? bounds.grown(0.2 * trial.extent) : around;
@@ -80,7 +80,7 @@ Trial trial_of(const Subject& subject, std::uint64_t seed, std::size_t random_co
     for (std::size_t i = 0; i < pieces.size() && i < 12; ++i)
         for (const Vec2& p : points_along(pieces[i * pieces.size() / std::min<std::size_t>(12, pieces.size())], 5))
             trial.points.push_back(p);
-    if (subject.is_shape() && subject.kernels().trace) subject.kernels().trace(subject.params(), 40, trial.points);
+    if (witness.parametric_outline) witness.parametric_outline(subject.params(), 40, trial.points);
     for (const Vec2& p : trial.points) trial.samples.push_back(subject.sample(p));
     measure_outline(trial);
     return trial;
@@ -94,9 +94,9 @@ void Trial::report(std::string what) const {
 
 std::span<const Law> laws() { return all_laws; }
 
-std::vector<Violation> check(const Subject& subject, std::uint64_t seed) {
+std::vector<Violation> check(const Subject& subject, const Witness& witness, std::uint64_t seed) {
     std::vector<Violation> out;
-    Trial trial = trial_of(subject, seed);
+    Trial trial = trial_of(subject, witness, seed);
     trial.violations = &out;
     for (const Law& law : all_laws) {
         trial.law = law.name;

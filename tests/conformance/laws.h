@@ -25,6 +25,7 @@ struct OutlineTruth {
 /// outline, bounds), then the outline's own.
 struct Trial {
     const Subject& subject;
+    const Witness& witness;  ///< of the subject's type
     double extent;  ///< metres
     Exactness exactness;
     std::size_t random_count = 0;
@@ -40,7 +41,7 @@ struct Trial {
 };
 
 /// A subject at `random_count` random points and all the special ones, with its truth.
-Trial trial_of(const Subject& subject, std::uint64_t seed, std::size_t random_count = 50);
+Trial trial_of(const Subject& subject, const Witness& witness, std::uint64_t seed, std::size_t random_count = 50);
 /// Fills in a trial's truth.
 void measure_outline(Trial& trial);
 
@@ -52,7 +53,7 @@ struct Law {
 std::span<const Law> laws();
 
 /// Violations of all laws, at most a few of each; `seed` draws the points.
-std::vector<Violation> check(const Subject& subject, std::uint64_t seed);
+std::vector<Violation> check(const Subject& subject, const Witness& witness, std::uint64_t seed);
 
 // The laws, by what they look at.
 void everything_is_finite(const Trial& trial);

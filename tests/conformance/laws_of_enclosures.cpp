@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "engine/core/rng.h"
-#include "tests/conformance/enclosure.h"
 #include "tests/conformance/laws.h"
+#include "tests/conformance/subject_enclosure.h"
 
 namespace pinfield::conformance {
 namespace {
@@ -57,7 +57,7 @@ void enclosures_hold_the_samples(const Trial& trial) {
     CounterRng rng = rng_of(trial);
     for (int i = 0; i < boxes; ++i) {
         const auto [p, box] = random_box(trial, rng);
-        const sdf::IntervalSample found = enclosure(trial.subject, sdf::interval_box(box));
+        const sdf::IntervalSample found = enclosure(trial.subject, trial.witness, sdf::interval_box(box));
         for (const Vec2& q : {p, box.lo, box.hi, Vec2(box.lo.x(), box.hi.y()), Vec2(box.hi.x(), box.lo.y()), random_point(box, rng),
                               random_point(box, rng)}) {
             const sdf::Sample s = trial.subject.sample(q);
@@ -67,7 +67,7 @@ void enclosures_hold_the_samples(const Trial& trial) {
                 trial.report(fmt::format("{}: gradient ({}, {}) in {}", where(), s.gradient.x(), s.gradient.y(), text(found.dx, found.dy)));
         }
         if (!trial.subject.is_shape()) continue;
-        const sdf::Interval alone = trial.subject.kernels().enclosures.distance(trial.subject.params(), sdf::interval_box(box));
+        const sdf::Interval alone = trial.witness.enclosures.distance(trial.subject.params(), sdf::interval_box(box));
         const double value = trial.subject.kernels().distance(trial.subject.params(), p.x(), p.y());
         if (!alone.contains(value)) trial.report(fmt::format("{}: alone {} in {}", text(box), value, text(alone)));
     }
@@ -79,7 +79,7 @@ void enclosures_do_not_refute_the_lipschitz_constant(const Trial& trial) {
     const double limit = trial.exactness.lipschitz;
     for (int i = 0; i < boxes; ++i) {
         const Box2 box = random_box(trial, rng).box;
-        const sdf::IntervalSample found = enclosure(trial.subject, sdf::interval_box(box));
+        const sdf::IntervalSample found = enclosure(trial.subject, trial.witness, sdf::interval_box(box));
         const double least = length(Vec2(least_size(found.dx), least_size(found.dy)));
         if (!(least <= limit * (1 + 1e-9))) trial.report(fmt::format("{}: |gradient| at least {}, above {}", text(box), least, limit));
     }

@@ -58,7 +58,8 @@ void measure_outline(Trial& trial) {
     sdf::Outline pieces;
     Loop loop;
     if (k.outline) k.outline(subject.params(), pieces);
-    if (pieces.empty() && k.trace) k.trace(subject.params(), 2000, loop);
+    const ParametricOutline parametric = trial.witness.parametric_outline;
+    if (pieces.empty() && parametric) parametric(subject.params(), 2000, loop);
     if (pieces.empty() && loop.empty()) return;
     OutlineTruth& truth = trial.truth;
     const std::vector<Loop> chains = loop.empty() ? chords_of(pieces) : std::vector<Loop>(1, loop);
@@ -162,7 +163,8 @@ void gradient_on_the_outline_points_out(const Trial& trial) {
         if (length(along[21] - along[19]) > 1e-6 * trial.extent) faces(along[20], (pieces[i].turn < 0 ? -1 : 1) * (along[21] - along[19]));
     }
     Loop loop;
-    if (pieces.empty() && trial.subject.kernels().trace) trial.subject.kernels().trace(trial.subject.params(), 200, loop);
+    const ParametricOutline parametric = trial.witness.parametric_outline;
+    if (pieces.empty() && parametric) parametric(trial.subject.params(), 200, loop);
     for (std::size_t i = 1; i + 1 < loop.size(); i += loop.size() / 48 + 1) {
         const Vec2 before = loop[i] - loop[i - 1], after = loop[i + 1] - loop[i];
         const bool bends = dot(before, after) < 0.9999 * length(before) * length(after);

@@ -13,6 +13,7 @@
 #include "engine/program/evaluate.h"
 #include "tests/conformance/brute_force.h"
 #include "tests/conformance/nodes_in_scenes.h"
+#include "tests/conformance/witness.h"
 
 namespace pinfield::conformance {
 namespace {
@@ -90,9 +91,10 @@ std::vector<Loop> polygon_of(const Subject& subject, double& error) {
     sdf::Outline pieces;
     if (subject.kernels().outline) subject.kernels().outline(subject.params(), pieces);
     for (const sdf::Piece& piece : pieces) out.push_back(points_along(piece, piece.is_arc() ? 401 : 2));
-    if (pieces.empty() && subject.kernels().trace) {
+    const ParametricOutline parametric = witness_of(subject.kernels()).parametric_outline;
+    if (pieces.empty() && parametric) {
         Loop loop;
-        subject.kernels().trace(subject.params(), 400, loop);
+        parametric(subject.params(), 400, loop);
         if (loop.empty()) return out;
         loop.push_back(loop[0]);
         out.push_back(std::move(loop));

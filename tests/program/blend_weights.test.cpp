@@ -5,6 +5,7 @@
 
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
+#include "tests/program/blend_weights.h"
 #include "tests/program/tables.h"
 
 using namespace pinfield;

@@ -1,4 +1,4 @@
-#include "engine/program/enclosure.h"
+#include "tests/program/enclosure.h"
 
 #include <catch2/catch.hpp>
 

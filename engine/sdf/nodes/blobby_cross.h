@@ -6,7 +6,6 @@
 #include "engine/core/trig.h"
 #include "engine/reflect/describe.h"
 #include "engine/sdf/parabola_hill.h"
-#include "engine/sdf/tracing.h"
 
 namespace pinfield::sdf {
 
@@ -46,31 +45,6 @@ struct BlobbyCross {
         return select(m > frozen(steepest), to_tip, -side * distance_to_hill(q, m, frozen(radius))) - round;
     }
     Box2 bounds() const { return Box2::centred(0.5 * size, 0.5 * size); }
-    /// From the tip on +x: half its rounding, the bite, half the next tip's rounding; four times.
-    void trace(int points, std::vector<Vec2>& out) const {
-        const auto normal_at = [this](double m) {
-            const double x = half_root * (1 - side * m), y = half_root * (1 + side * m);
-            return Vec2(Vec2(x, y).normalized());
-        };
-        const auto bite = [&](double t) {
-            const double x = half_root * tip * (1 - 2 * t), m = x / radius, y = top - side * 0.5 * x * m;
-            return Vec2(Vec2(0.5 * tip - half_root * (y - x), 0.5 * tip - half_root * (y + x)) + round * normal_at(m));
-        };
-        const Vec2 first = normal_at(steepest);
-        const double opening = arc_tangent(first.y(), first.x());
-        for (int quarter = 0; quarter < 4; ++quarter) {
-            const SineCosine turn = sine_cosine_degrees(90.0 * quarter);
-            const auto turned = [&](const Vec2& v) {
-                return Vec2(turn.cosine * v.x() - turn.sine * v.y(), turn.sine * v.x() + turn.cosine * v.y());
-            };
-            const auto tip_at = [&](double angle) {
-                const SineCosine around = sine_cosine(angle);
-                return turned(Vec2(tip + round * around.cosine, round * around.sine));
-            };
-            if (round > 0) trace_piece(points / 2, [&](double t) { return tip_at(opening * (2 * t - 1)); }, out);
-            trace_piece(points, [&](double t) { return turned(bite(t)); }, out);
-        }
-    }
 
     static constexpr auto describe() {
         using T = BlobbyCross;

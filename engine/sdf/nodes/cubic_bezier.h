@@ -53,10 +53,6 @@ struct CubicBezier {
         }
         return box.grown(0.5 * thickness);
     }
-    /// Nothing where the wall overlaps itself.
-    void trace(int points, std::vector<Vec2>& out) const {
-        if (is_plain()) trace_stroke([this](double t) { return curve_at(t); }, 0.5 * thickness, points, out);
-    }
 
     static constexpr auto describe() {
         using T = CubicBezier;

@@ -55,12 +55,6 @@ struct Ellipse {
         return abs(p.x) * Real(n.x) + abs(p.y) * Real(n.y) - Real(reach);
     }
     Box2 bounds() const { return Box2::centred(radii.x, radii.y); }
-    void trace(int points, std::vector<Vec2>& out) const {
-        for (int i = 0; i < points; ++i) {
-            const SineCosine t = sine_cosine_degrees(360.0 * i / points);
-            out.emplace_back(radii.x * t.cosine, radii.y * t.sine);
-        }
-    }
 
     static constexpr auto describe() {
         return shape<Ellipse>({.key = "ellipse", .float_error = 2e-6, .doc = "Ellipse about the local origin, its axes along x and y."},

@@ -5,7 +5,6 @@
 #include "engine/core/geometry.h"
 #include "engine/reflect/describe.h"
 #include "engine/sdf/parabola_hill.h"
-#include "engine/sdf/tracing.h"
 
 namespace pinfield::sdf {
 
@@ -36,10 +35,6 @@ struct ParabolaSegment {
         return select(at_corner, norm(from_corner), max(distance_to_hill(below_top, m, frozen(radius)), -p.y));
     }
     Box2 bounds() const { return {{-0.5 * width, 0}, {0.5 * width, height}}; }
-    void trace(int points, std::vector<Vec2>& out) const {
-        trace_piece(points, [this](double t) { return Vec2((t - 0.5) * width, 0); }, out);
-        trace_piece(points, [this](double t) { return Vec2((0.5 - t) * width, 4 * t * (1 - t) * height); }, out);
-    }
 
     static constexpr auto describe() {
         using T = ParabolaSegment;

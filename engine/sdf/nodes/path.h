@@ -156,16 +156,6 @@ struct Path {
             if (area != 0) out = area > 0 ? loop : reversed(loop);
         }
     }
-    /// Of filled paths without a rim.
-    void trace(int points_of_piece, std::vector<Vec2>& out) const {
-        if (!fill || thickness > 0 || !is_clean_edge()) return;
-        for_each_piece([&](const PieceView& piece) {
-            trace_piece(points_of_piece, [&](double t) { return curve_point(piece, t).at; }, out);
-        });
-        const std::array<double, 4> closing = closing_edge();
-        const Vec2 from(closing[0], closing[1]), to(closing[2], closing[3]);
-        if (from != to) trace_piece(points_of_piece, [&](double t) { return Vec2(from + t * (to - from)); }, out);
-    }
 
     static constexpr auto describe() {
         return shape<Path>(

@@ -4,7 +4,6 @@
 #include "engine/core/geometry.h"
 #include "engine/reflect/describe.h"
 #include "engine/sdf/quadratic_curve.h"
-#include "engine/sdf/tracing.h"
 
 namespace pinfield::sdf {
 
@@ -62,11 +61,6 @@ struct QuadraticBezier {
             if (v * w < 0) box = box.including(point_at(v / (v - w)));
         }
         return box.grown(0.5 * thickness);
-    }
-    /// Nothing where the wall overlaps itself.
-    void trace(int points, std::vector<Vec2>& out) const {
-        if (is_plain())
-            trace_stroke([this](double t) { return CurvePoint{point_at(t), velocity_at(t).normalized()}; }, 0.5 * thickness, points, out);
     }
 
     static constexpr auto describe() {

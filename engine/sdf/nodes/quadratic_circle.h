@@ -28,14 +28,6 @@ struct QuadraticCircle {
         return distance_to_hill(q, m, bend);
     }
     Box2 bounds() const { return Box2::centred(radius, radius); }
-    void trace(int points, std::vector<Vec2>& out) const {
-        const int n = points / 4;
-        for (int i = 0; i < 4 * n; ++i) {
-            const SineCosine quarter = sine_cosine_degrees(90.0 * (i / n));
-            const double t = static_cast<double>(i % n) / n, x = radius * (1 - t * t), y = radius * t * (2 - t);
-            out.emplace_back(quarter.cosine * x - quarter.sine * y, quarter.sine * x + quarter.cosine * y);
-        }
-    }
 
     static constexpr auto describe() {
         return shape<QuadraticCircle>(

@@ -132,11 +132,6 @@ struct Spiral {
         }
         return box.grown(0.5 * thickness);
     }
-    /// Nothing where the wall overlaps itself.
-    void trace(int points, std::vector<Vec2>& out) const {
-        if (is_plain())
-            trace_stroke([this](double t) { return curve_at(t); }, 0.5 * thickness, points * (1 + static_cast<int>(turns) / 3), out);
-    }
 
     static constexpr auto describe() {
         return shape<Spiral>(

@@ -137,7 +137,7 @@ double float_error_of(const Trial& trial) {
 }
 
 void measure_subject(const Subject& subject, std::uint64_t seed, Measure& out) {
-    const Trial trial = trial_of(subject, seed, random_points);
+    const Trial trial = trial_of(subject, witness_of(subject.kernels()), seed, random_points);
     ++out.subjects;
     measure_distances(trial, out);
     const double slope = slope_of(trial), claimed = trial.exactness.lipschitz;

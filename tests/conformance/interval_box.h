@@ -1,10 +1,12 @@
-// Boxes of points as intervals, and what Enclosures return over them.
+// Boxes of points as intervals, and what enclosures of values and gradients over them are made of.
 #pragma once
 #include "engine/core/geometry.h"
-#include "engine/sdf/enclosures.h"
-#include "engine/sdf/interval.h"
+#include "tests/conformance/interval.h"
 
 namespace pinfield::sdf {
+
+/// A box of points, in the frame it is asked in.
+using IntervalBox = Point<Interval>;
 
 inline IntervalBox interval_box(const Box2& box) { return {{box.lo.x(), box.hi.x()}, {box.lo.y(), box.hi.y()}}; }
 inline IntervalBox interval_box(const Vec2& p) { return {Interval(p.x()), Interval(p.y())}; }

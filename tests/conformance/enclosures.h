@@ -1,14 +1,27 @@
-// From a node's struct template to its Enclosures: the node's own formula over intervals.
+// What a node can be over a box: its own formula over intervals, behind function pointers like those of kernels.h.
 #pragma once
 #include <concepts>
 
 #include "engine/reflect/load.h"
-#include "engine/sdf/interval_box.h"
-#include "engine/sdf/interval_dual.h"
-#include "engine/sdf/node_list.h"
 #include "engine/sdf/packet_kernels.h"
+#include "tests/conformance/interval_box.h"
+#include "tests/conformance/interval_dual.h"
 
 namespace pinfield::sdf {
+
+/// Each holds all that the kernel of the same kind returns anywhere in the boxes and intervals it is given; null where the node has no such
+/// kernel.
+struct Enclosures {
+    // shape
+    Interval (*distance)(const double* params, const IntervalBox& p) = nullptr;
+    IntervalSample (*sample)(const double* params, const IntervalBox& p) = nullptr;
+    // fold: dx and dy are the derivatives by a and by b
+    IntervalSample (*combine)(const double* params, const Interval& a, const Interval& b) = nullptr;
+    // modify: dx is the derivative by d, dy is 0
+    IntervalSample (*modify)(const double* params, const Interval& d) = nullptr;
+    // warp
+    IntervalWarped (*warped)(const double* params, const IntervalBox& p) = nullptr;
+};
 
 namespace detail {
 
@@ -46,12 +59,6 @@ Enclosures enclosures() {
         };
     }
     return out;
-}
-
-/// Those of a whole list, in its order.
-template <template <class> class... N>
-void fill_enclosures(NodeList<N...>, Enclosures* out) {
-    ((*out++ = enclosures<N>()), ...);
 }
 
 }  // namespace pinfield::sdf
