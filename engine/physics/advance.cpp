@@ -334,14 +334,10 @@ private:
         const Motion p = motion_of(w_, i).from(from - a.time), q = motion_of(w_, j).from(from - b.time);
         const Motion relative{p.position - q.position, p.velocity - q.velocity, p.acceleration - q.acceleration};
         if (relative.velocity == Vec2(0, 0) && relative.is_straight()) return infinity;
-        SweepPiece point;
-        point.corner_b = false;
-        point.turn = 1;
-        point.full = true;
-        point.radius = w_.physics.ball_radius;
-        point.corner_a = false;
+        SweepPiece disc{sdf::Piece::circle({0, 0}, w_.physics.ball_radius)};
+        disc.corner_a = disc.corner_b = false;
         int evaluations = 0;
-        return from + sweep_piece(point, relative, h_ - from, w_.physics.ball_radius, w_.band, evaluations).time;
+        return from + sweep_piece(disc, relative, h_ - from, w_.physics.ball_radius, w_.band, evaluations).time;
     }
 
     void plan_pairs(std::size_t i) {

@@ -5,6 +5,7 @@
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/pose.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 
@@ -32,8 +33,7 @@ bool crosses(const sdf::Piece& piece, const Vec2& a, const Vec2& b) {
     }
     const double da = length(a - piece.centre) - piece.radius, db = length(b - piece.centre) - piece.radius;
     if ((da > 0) == (db > 0)) return false;
-    Vec2 foot;
-    return distance_to_piece(piece, a + (da / (da - db)) * (b - a), foot) < 1e-6;
+    return foot_on_piece(piece, a + (da / (da - db)) * (b - a)).distance < 1e-6;
 }
 
 bool crosses_boundary(const Field& field, const Vec2& a, const Vec2& b, LayerMask layers) {

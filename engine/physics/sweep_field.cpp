@@ -10,7 +10,6 @@ namespace pinfield {
 
 namespace {
 
-
 /// Ball radii. A longer list lasts longer and takes longer to go through.
 constexpr double neighbour_reach = 4;
 

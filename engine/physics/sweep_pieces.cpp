@@ -10,46 +10,18 @@ constexpr int most_evaluations = 64;
 constexpr double overlap = 1e-8;  // of two pieces that join smoothly, so that no ball slips between them; in ball radii
 constexpr double smooth_join = 1e-9;
 
-Vec2 start_tangent(const SweepPiece& p) {
-    if (p.turn == 0) return p.along;
-    const Vec2 t = perpendicular(p.a - p.centre) / p.radius;
-    return p.turn > 0 ? t : Vec2(-t);
-}
-
-Vec2 end_tangent(const SweepPiece& p) {
-    if (p.turn == 0) return p.along;
-    const Vec2 t = perpendicular(p.b - p.centre) / p.radius;
-    return p.turn > 0 ? t : Vec2(-t);
-}
-
 SweepPiece prepared(const BoundaryPiece& boundary) {
-    const sdf::Piece& from = boundary.piece;
-    SweepPiece p;
-    p.a = from.a;
-    p.b = from.b;
-    p.centre = from.centre;
-    p.radius = from.radius;
-    p.turn = from.turn;
-    p.reflex = from.reflex;
-    p.full = from.is_full_circle();
+    SweepPiece p{boundary.piece};
     p.solid = boundary.solid;
     p.leaf = boundary.leaf;
     p.layers = boundary.layers;
-    if (!from.is_arc()) {
+    if (!p.is_arc()) {
         const Vec2 d = p.b - p.a;
         p.length = length(d);
         p.along = p.length > 0 ? Vec2(d / p.length) : Vec2(1, 0);
         p.normal = -perpendicular(p.along);
     }
     return p;
-}
-
-/// Does the ray from the arc's centre along x meet the arc?
-bool in_sector(const SweepPiece& p, const Vec2& x) {
-    if (p.full) return true;
-    const Vec2 first = (p.turn > 0 ? p.a : p.b) - p.centre, last = (p.turn > 0 ? p.b : p.a) - p.centre;
-    if (p.reflex) return !(cross(last, x) > 0 && cross(x, first) > 0);
-    return cross(first, x) >= 0 && cross(x, last) >= 0;
 }
 
 /// The times between which a path runs beside a piece or off its ends, in order.
@@ -160,14 +132,14 @@ PieceHit sweep_arc(const SweepPiece& p, const Motion& motion, double duration, d
                    int& evaluations) {
     const Motion path{motion.position - p.centre, motion.velocity, motion.acceleration};
     const double sign = p.turn > 0 ? 1 : -1;
-    if (p.full) return sweep_round(path, p.radius, sign, duration, radius, band, evaluations);
+    if (p.is_full_circle()) return sweep_round(path, p.radius, sign, duration, radius, band, evaluations);
     if (sign * (length(path.position) - p.radius) - radius > path.travel(duration) + band.tolerance) return {};
     Splits splits;
     for (const Vec2& end : {Vec2(p.a - p.centre), Vec2(p.b - p.centre)})
         splits.add_roots(cross(end, path.position), cross(end, path.velocity), cross(end, path.acceleration), duration);
     splits.finish(duration);
     return over_stretches(
-        splits, path, duration, radius, [&](double t) { return in_sector(p, path.at(t)); },
+        splits, path, duration, radius, [&](double t) { return in_sweep(p, path.at(t)); },
         [&](const Motion& stretch, double lasts) { return sweep_round(stretch, p.radius, sign, lasts, radius, band, evaluations); });
 }
 
@@ -212,13 +184,13 @@ std::vector<SweepPiece> prepare_pieces(const Field& field) {
     for (const Solid& solid : field.solids) {
         const auto first = pieces.begin() + solid.first_piece, last = first + solid.piece_count;
         for (auto piece = first; piece != last; ++piece) {
-            if (piece->full) { piece->corner_a = piece->corner_b = false; continue; }
+            if (piece->is_full_circle()) { piece->corner_a = piece->corner_b = false; continue; }
             int successors = 0;
             for (auto next = first; next != last; ++next)
                 if (next->a == piece->b) ++successors;
             if (successors != 1) continue;  // a loose end, or several outlines meet in one point
             const auto next = std::find_if(first, last, [&](const SweepPiece& q) { return q.a == piece->b; });
-            const Vec2 in = end_tangent(*piece), out = start_tangent(*next);
+            const Vec2 in = direction_at(*piece, piece->b), out = direction_at(*next, next->a);
             const bool turns_back = dot(in, out) < 0 && std::abs(cross(in, out)) < smooth_join;
             piece->corner_b = false;
             next->corner_a = turns_back || cross(in, out) > smooth_join;
@@ -227,44 +199,37 @@ std::vector<SweepPiece> prepare_pieces(const Field& field) {
     return pieces;
 }
 
+/// As foot_on_piece() of piece.h, but by the unit vectors that are ready here, without a division by a length; games are recorded with the
+/// bits of this one.
 Foot nearest_on(const SweepPiece& p, const Vec2& point) {
-    Foot foot;
-    if (p.turn == 0) {
+    if (!p.is_arc()) {
         const Vec2 from_a = point - p.a;
-        const double u = dot(p.along, from_a);
-        if (u >= 0 && u <= p.length) {
+        const double along = dot(p.along, from_a);
+        if (along >= 0 && along <= p.length) {
             const double height = dot(p.normal, from_a);
             return {std::abs(height), height < 0 ? Vec2(-p.normal) : p.normal, 0, infinity, height >= 0};
         }
     } else {
         const Vec2 x = point - p.centre;
         const double far = length(x);
-        if (far > 0 && in_sector(p, x)) {
+        if (far > 0 && in_sweep(p, x)) {
             const bool beyond = far > p.radius;
             return {std::abs(far - p.radius), x * ((beyond ? 1 : -1) / far), p.turn < 0 && !beyond ? p.radius : 0,
                     beyond ? p.radius : infinity, beyond == (p.turn > 0)};
         }
     }
     const Vec2 from_a = point - p.a, from_b = point - p.b;
-    const double to_a = length(from_a), to_b = length(from_b);
+    const double to_a = length(from_a), to_b = length(from_b), distance = std::min(to_a, to_b);
     const bool at_a = to_a <= to_b;
-    foot.distance = at_a ? to_a : to_b;
-    foot.normal = foot.distance > 0 ? Vec2((at_a ? from_a : from_b) / foot.distance) : Vec2(0, 1);
-    foot.outside = at_a ? p.corner_a : p.corner_b;
-    foot.convex_radius = 0;
-    return foot;
+    const Vec2 normal = distance > 0 ? Vec2((at_a ? from_a : from_b) / distance) : Vec2(0, 1);
+    return {distance, normal, 0, 0, at_a ? p.corner_a : p.corner_b};
 }
 
 double distance_to(const SweepPiece& p, const Vec2& point) {
+    if (p.is_arc()) return distance_to_piece(p, point);
     const Vec2 from_a = point - p.a;
-    if (p.turn == 0) {
-        const double u = dot(p.along, from_a), beyond = u - std::clamp(u, 0.0, p.length), height = dot(p.normal, from_a);
-        return std::sqrt(beyond * beyond + height * height);
-    }
-    const Vec2 x = point - p.centre;
-    if (in_sector(p, x)) return std::abs(length(x) - p.radius);
-    const Vec2 from_b = point - p.b;
-    return std::sqrt(std::min(dot(from_a, from_a), dot(from_b, from_b)));
+    const double u = dot(p.along, from_a), beyond = u - std::clamp(u, 0.0, p.length), height = dot(p.normal, from_a);
+    return std::sqrt(beyond * beyond + height * height);
 }
 
 PieceHit sweep_piece(const SweepPiece& piece, const Motion& motion, double duration, double radius, const ContactBand& band,

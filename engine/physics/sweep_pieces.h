@@ -5,17 +5,14 @@
 
 #include "engine/physics/motion.h"
 #include "engine/program/program.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 
 /// A boundary piece with what every sweep needs of it worked out.
-struct SweepPiece {
-    Vec2 a{0, 0}, b{0, 0};
+struct SweepPiece : sdf::Piece {
     Vec2 along{1, 0}, normal{0, 1};  ///< segments: unit, from a to b, and out of the solid
-    Vec2 centre{0, 0};
-    double radius = 0, length = 0;   ///< of an arc; of a segment
-    int turn = 0;                    ///< 0 segment, > 0 arc with the solid on the centre's side, < 0 hollow arc
-    bool reflex = false, full = false;
+    double length = 0;               ///< metres; segments
     bool corner_a = true, corner_b = true;  ///< a ball can touch that end alone: a convex corner, or a loose end
     int solid = 0, leaf = 0;
     LayerMask layers = ground_layer;
@@ -28,7 +25,7 @@ std::vector<SweepPiece> prepare_pieces(const Field& field);
 struct Foot {
     double distance = infinity;  ///< unsigned
     Vec2 normal{0, 0};           ///< unit, from the foot to p
-    double concave_radius = 0;           ///< radius of curvature of a hollow arc met from inside, else 0
+    double concave_radius = 0;   ///< radius of curvature of a hollow arc met from inside, else 0
     double convex_radius = infinity;  ///< radius of curvature of what is met from outside: 0 a corner, infinity a straight side or a hollow
     bool outside = true;         ///< p is on the free side, and the foot is a place that a ball can touch
 };

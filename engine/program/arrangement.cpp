@@ -4,7 +4,7 @@
 
 #include "engine/program/cutting.h"
 #include "engine/program/evaluate.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 namespace {

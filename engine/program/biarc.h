@@ -18,10 +18,7 @@ inline sdf::Piece arc_along(const Vec2& a, const Vec2& along, const Vec2& b, dou
 
 /// The arc from a to b, where it runs along the unit vector `along`.
 inline sdf::Piece arc_arriving(const Vec2& a, const Vec2& b, const Vec2& along, double flat) {
-    sdf::Piece out = arc_along(b, -along, a, flat);
-    std::swap(out.a, out.b);
-    out.turn = -out.turn;
-    return out;
+    return reversed(arc_along(b, -along, a, flat));
 }
 
 /// The biarc whose middle is as far from both ends along their tangents; nothing where the tangents turn by a right angle or more, or

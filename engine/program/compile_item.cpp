@@ -6,7 +6,7 @@
 #include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/field.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 namespace {
@@ -32,15 +32,9 @@ MaterialRecord compile_material(const Node& node) {
     return material_record(node.name, record_of<Material>(node), color);
 }
 
-double farthest_from_origin(const BoundaryPiece& boundary) {
-    const sdf::Piece& piece = boundary.piece;
-    const double ends = std::max(length(piece.a), length(piece.b));
-    return piece.is_arc() && in_sweep(piece, piece.centre) ? std::max(ends, length(piece.centre) + piece.radius) : ends;
-}
-
 double farthest_from_origin(const Field& field) {
     double farthest = 0;
-    for (const BoundaryPiece& boundary : field.pieces) farthest = std::max(farthest, farthest_from_origin(boundary));
+    for (const BoundaryPiece& boundary : field.pieces) farthest = std::max(farthest, sdf::farthest_from_origin(boundary.piece));
     for (const int solid : field.tree_solids) {
         const Box2& box = at(field.solids, solid).bounds;
         if (box.is_empty()) continue;

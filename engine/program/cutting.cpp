@@ -5,30 +5,12 @@
 #include "engine/core/at.h"
 #include "engine/program/bvh.h"
 #include "engine/sdf/meet.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 namespace {
 
 using sdf::Piece;
-
-/// Grows with the position along the piece, from its start.
-double position_along(const Piece& piece, const Vec2& p) {
-    if (!piece.is_arc()) return dot(p - piece.a, piece.b - piece.a);
-    const Vec2 start = piece.a - piece.centre, here = p - piece.centre;
-    const double sine = piece.turn * cross(start, here), cosine = dot(start, here);
-    const double share =
-        cosine / (std::fabs(sine) + std::fabs(cosine));  // an angle in all but name: 0 ... 4 round the circle
-    return sine >= 0 ? 1 - share : 3 + share;
-}
-
-Piece part_of(const Piece& piece, const Vec2& from, const Vec2& to) {
-    Piece out = piece;
-    out.a = from;
-    out.b = to;
-    if (piece.is_arc()) out.reflex = piece.turn * cross(from - piece.centre, to - piece.centre) < 0;
-    return out;
-}
 
 void cut_pair(CutPiece& a, CutPiece& b, double tolerance) {
     if (a.owner != b.owner && a.box.grown(tolerance).overlaps(b.box)) meet(a.piece, b.piece, tolerance, a.cuts, b.cuts);
@@ -74,18 +56,12 @@ std::vector<Piece> parts_of(const CutPiece& edge) {
 }
 
 Probe probe_of(const Piece& piece, const std::vector<Vec2>& touched) {
-    if (!piece.is_arc()) {
-        const Vec2 along = piece.b - piece.a;
-        return {0.5 * (piece.a + piece.b), -perpendicular(along) / length(along)};
+    if (piece.is_full_circle()) {
+        const Vec2 away = touched.empty() ? Vec2(-1, 0) : Vec2((piece.centre - touched[0]) / length(piece.centre - touched[0]));
+        return {piece.centre + piece.radius * away, piece.turn * away};
     }
-    Vec2 ray(-1, 0);
-    if (!piece.is_full_circle()) {
-        const Vec2 chord = piece.b - piece.a;  // an arc bulges to the side of its chord that it does not turn to
-        ray = -piece.turn * perpendicular(chord) / length(chord);
-    } else if (!touched.empty()) {
-        ray = (piece.centre - touched[0]) / length(piece.centre - touched[0]);
-    }
-    return {piece.centre + piece.radius * ray, piece.turn * ray};
+    const Vec2 middle = middle_of(piece);
+    return {middle, -perpendicular(direction_at(piece, middle))};
 }
 
 }  // namespace pinfield

@@ -4,7 +4,7 @@
 #include "engine/program/trace.h"
 #include "engine/program/tree.h"
 #include "engine/program/zero_loops.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 namespace {
@@ -155,12 +155,6 @@ Nearest nearest_one_by_one(const Field& field, const Vec2& p, LayerMask layers, 
 }
 
 }  // namespace
-
-double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot) {
-    const sdf::PieceFoot found = foot_on_piece(piece, p);
-    foot = found.foot;
-    return found.distance;
-}
 
 Nearest nearest_outside(const Field& field, const Vec2& p, LayerMask layers, double reach) {
     const int pieces = static_cast<int>(field.pieces.size());

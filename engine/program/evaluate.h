@@ -41,9 +41,6 @@ Nearest nearest_of_solid(const Field& field, int solid, const Vec2& p);
 /// `leaf` receives the winning leaf: the one with whose own value the tree's moves most, the first of equals.
 sdf::Sample evaluate_tree(const Field& field, int op, const Vec2& p, int* leaf = nullptr);
 
-/// Distance from p to a boundary piece, unsigned, with the foot point.
-double distance_to_piece(const sdf::Piece& piece, const Vec2& p, Vec2& foot);
-
 /// A solid to ask in packets. Where a packed outline (outline_distance.h) is given, it says how far, and the formula only on which side.
 struct PacketSolid {
     int solid = 0;

@@ -3,7 +3,7 @@
 #include <span>
 
 #include "engine/core/at.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 #include "engine/sdf/register.h"
 
 namespace pinfield {

@@ -8,24 +8,13 @@
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
 #include "engine/program/trace.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 namespace {
 
 using sdf::Form;
 using sdf::Piece;
-
-/// A mirrored piece runs the other way round to keep the solid on its left; an arc then turns as it did before.
-Piece moved(const Similarity& to_from, const Piece& piece) {
-    Piece out = piece;
-    out.a = to_from * (to_from.mirrored ? piece.b : piece.a);
-    out.b = piece.is_full_circle() ? out.a : Vec2(to_from * (to_from.mirrored ? piece.a : piece.b));
-    if (!piece.is_arc()) return out;
-    out.centre = to_from * piece.centre;
-    out.radius = to_from.scale * piece.radius;
-    return out;
-}
 
 /// Does the operation only ask whether a point is in its operands? (A boundary stands for the solid below it.)
 bool is_boolean(const sdf::Kernels& kernels, const double* params) {
@@ -78,7 +67,7 @@ bool LeafCollector::add(int index, const Similarity& chain, const std::vector<Ow
     LeafImage leaf{index, chain, {}, {}};
     leaf.error = error;
     for (const OwnedPiece& piece : pieces) {
-        leaf.outline.push_back(moved(chain, piece.piece));
+        leaf.outline.push_back(transformed(chain, piece.piece));
         leaf.origins.push_back(piece.origin);
         leaf.bounds = leaf.bounds.merged(bounds_of(leaf.outline.back()));
     }
@@ -106,7 +95,7 @@ bool LeafCollector::add_shape(int index, const Similarity& chain) {
     op.kernels->outline(field_.params.data() + op.params, local);
     const Similarity field_from_local = op.local_from_field.inverse();
     std::vector<OwnedPiece> pieces;
-    for (const Piece& piece : local) pieces.push_back({moved(field_from_local, piece), index});
+    for (const Piece& piece : local) pieces.push_back({transformed(field_from_local, piece), index});
     return pieces.empty() ? add_traced(index, chain) : add(index, chain, pieces);
 }
 

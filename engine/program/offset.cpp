@@ -6,7 +6,7 @@
 #include "engine/core/at.h"
 #include "engine/program/cutting.h"
 #include "engine/program/tree.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 namespace {

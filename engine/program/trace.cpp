@@ -8,7 +8,7 @@
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
 #include "engine/program/zero_loops.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield {
 namespace {
@@ -18,13 +18,6 @@ using sdf::Piece;
 constexpr int cells = 128, more_cells = 1024;  // across the solid
 constexpr int most_evaluations = 400000;
 constexpr std::size_t most_pieces = 8000;
-
-/// At a share of the chord, of a piece that turns by less than half a turn.
-Vec2 point_on(const Piece& piece, double share) {
-    const Vec2 on_chord = piece.a + share * (piece.b - piece.a);
-    if (!piece.is_arc()) return on_chord;
-    return piece.centre + (piece.radius / length(on_chord - piece.centre)) * (on_chord - piece.centre);
-}
 
 /// Fits lines and arcs to loops of zero points: a biarc over as many points as it fits, and where it fits over no two neighbours,
 /// at corners, points found between these.
@@ -58,7 +51,7 @@ private:
         const double limit = share * tolerance() * slope;
         for (const double t : {0.25, 0.5, 0.75}) {
             ++evaluations_;
-            if (!(std::fabs(tree_value(field_, op_, point_on(piece, t))) <= limit)) return false;
+            if (!(std::fabs(tree_value(field_, op_, point_at_share(piece, t))) <= limit)) return false;
         }
         return true;
     }
@@ -66,7 +59,7 @@ private:
     void push(const Piece& piece) {
         if (piece.a == piece.b) return;
         int leaf = op_;
-        evaluate_tree(field_, op_, point_on(piece, 0.5), &leaf);
+        evaluate_tree(field_, op_, point_at_share(piece, 0.5), &leaf);
         out_.push_back({piece, leaf});
     }
 

@@ -1,6 +1,6 @@
 #include "engine/sdf/meet.h"
 
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield::sdf {
 namespace {

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "engine/sdf/outline_distance.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield::sdf {
 namespace {
@@ -14,20 +14,6 @@ Vec2 unit(const Vec2& v) {
     return l > 0 ? Vec2(v / l) : Vec2(0, 0);
 }
 Vec2 right_of(const Vec2& v) { return {v.y(), -v.x()}; }
-
-/// Direction of travel at the place p of a piece.
-Vec2 direction_at(const Piece& piece, const Vec2& p) {
-    if (!piece.is_arc()) return unit(piece.b - piece.a);
-    return piece.turn * perpendicular(unit(p - piece.centre));
-}
-
-/// Halfway along an arc.
-Vec2 middle_of(const Piece& arc) {
-    const Vec2 from = unit(arc.a - arc.centre), to = unit(arc.b - arc.centre);
-    const Vec2 across = from - to;  // vanishes for an arc that is nearly a full circle
-    const Vec2 outward = length(across) > 1e-3 ? Vec2(arc.turn * perpendicular(across)) : Vec2(-(from + to));
-    return arc.centre + arc.radius * unit(outward);
-}
 
 /// Arcs of more than half a turn cut in two: beside such an arc is not between two half planes.
 Outline without_reflex(const Outline& outline) {

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "engine/core/trig.h"
 #include "engine/sdf/meet.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 
 namespace pinfield::sdf {
 namespace {
@@ -14,14 +13,6 @@ struct Boxed {
     const Piece* piece;
     Box2 box;
 };
-
-/// Between the chord from a to b and the arc, positive where the arc turns counter-clockwise.
-double area_beside_chord(const Piece& arc) {
-    const Vec2 from = arc.a - arc.centre, to = arc.b - arc.centre;
-    double sweep = arc.turn * arc_tangent(cross(from, to), dot(from, to));
-    if (sweep < (arc.reflex ? half_pi : -half_pi)) sweep += two_pi;  // rounding may have it on the other side of 0 or of half a turn
-    return 0.5 * arc.turn * arc.radius * arc.radius * (sweep - sine(sweep));
-}
 
 }  // namespace
 

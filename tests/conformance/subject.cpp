@@ -169,16 +169,4 @@ void Subject::collect_outline(const Similarity& world_from_parent, sdf::Outline&
     }
 }
 
-sdf::Piece transformed(const Similarity& to_from_from, const sdf::Piece& piece) {
-    sdf::Piece out = piece;
-    out.a = to_from_from * piece.a;
-    out.b = to_from_from * piece.b;
-    out.centre = to_from_from * piece.centre;
-    out.radius = to_from_from.scale * piece.radius;
-    if (to_from_from.mirrored) {
-        std::swap(out.a, out.b);  // the solid stays on the left
-    }
-    return out;
-}
-
 }  // namespace pinfield::conformance

@@ -55,6 +55,4 @@ private:
     Similarity parent_from_local_;
 };
 
-sdf::Piece transformed(const Similarity& to_from_from, const sdf::Piece& piece);
-
 }  // namespace pinfield::conformance

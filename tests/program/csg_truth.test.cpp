@@ -9,7 +9,7 @@
 
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 #include "tests/program/tables.h"
 
 using namespace pinfield;

@@ -6,7 +6,6 @@
 #include "engine/core/trig.h"
 #include "engine/program/tree.h"
 #include "engine/scene/playfield.h"
-#include "engine/sdf/piece_distance.h"
 #include "tests/program/tables.h"
 
 using namespace pinfield;
@@ -135,41 +134,6 @@ TEST_CASE("on the outline itself the distance is zero and the gradient points ou
     CHECK(corner.distance == 0);
     CHECK(length(corner.gradient) == 1);
     CHECK(nearest(program->fixed, {0, 5}).gradient == Vec2(1, 0));  // the domain's left wall faces right
-}
-
-TEST_CASE("a piece and its reflection, its quarter turn and its reverse have the same distances bit for bit") {
-    CounterRng random(6);
-    for (int i = 0; i < 3000; ++i) {
-        const Vec2 a = random_point(random, -1, 1), b = random_point(random, -1, 1), p = random_point(random, -2, 2),
-                   c = random_point(random, -1, 1);
-        const double from = random.in(-180, 180), sweep = random.in(1, 359), r = random.in(0.1, 1);
-        const auto on = [&](double angle) { return Vec2(c + r * Vec2(cosine_degrees(angle), sine_degrees(angle))); };
-        const sdf::Piece pieces[] = {sdf::Piece::segment(a, b),
-                                     sdf::Piece::arc(c, r, on(from), on(from + sweep), 1, sweep > 180)};
-        for (const sdf::Piece& piece : pieces) {
-            Vec2 foot;
-            const double d = distance_to_piece(piece, p, foot);
-            const auto map = [](const sdf::Piece& q, auto&& f, bool reverses) {
-                sdf::Piece out = q;
-                out.a = f(reverses ? q.b : q.a);
-                out.b = f(reverses ? q.a : q.b);
-                out.centre = f(q.centre);
-                return out;
-            };
-            const auto mirror = [](const Vec2& v) { return Vec2(-v.x(), v.y()); };
-            const auto quarter = [](const Vec2& v) { return Vec2(-v.y(), v.x()); };
-            Vec2 other;
-            REQUIRE(distance_to_piece(map(piece, mirror, true), mirror(p), other) == d);
-            REQUIRE(other == mirror(foot));
-            REQUIRE(distance_to_piece(map(piece, quarter, false), quarter(p), other) == d);
-            REQUIRE(other == quarter(foot));
-            sdf::Piece reverse = piece;
-            std::swap(reverse.a, reverse.b);
-            reverse.turn = -piece.turn;
-            REQUIRE(distance_to_piece(reverse, p, other) == d);
-            REQUIRE(std::fabs(squared_distance_to_piece(piece, p) - d * d) < 1e-14);
-        }
-    }
 }
 
 TEST_CASE("a blend is certified where the foot shows that its value is the distance") {

@@ -7,7 +7,7 @@
 #include "engine/program/arrangement.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/tree.h"
-#include "engine/sdf/piece_distance.h"
+#include "engine/sdf/piece.h"
 #include "tests/program/tables.h"
 
 using namespace pinfield;
