@@ -26,7 +26,7 @@ struct Options {
 constexpr double farthest = 1e50;
 
 /// A static solid that bounds the space for balls instead of standing in it: the domain, written or made of the table's size.
-bool is_boundary(const Table& table, const Solid& solid) {
+bool is_domain(const Table& table, const Solid& solid) {
     return solid.part < 0 ? solid.origin == table.scene.table().id
                           : at(table.program->parts, solid.part).is<parts::Domain>();
 }
@@ -51,7 +51,7 @@ std::vector<Source> sources_of(const Table& table, bool shapes_only) {
     std::vector<Source> sources;
     if (!shapes_only) sources.push_back({&program.fixed, -1, {}});
     for (std::size_t i = 0; shapes_only && i < program.fixed.solids.size(); ++i)
-        if ((program.fixed.solids[i].layers & ground_layer) && !is_boundary(table, program.fixed.solids[i]))
+        if ((program.fixed.solids[i].layers & ground_layer) && !is_domain(table, program.fixed.solids[i]))
             sources.push_back({&program.fixed, static_cast<int>(i), {}});
     for (std::size_t i = 0; i < program.movers.size(); ++i)
         sources.push_back({&program.movers[i].field, -1, world_from_resting_mover(program, static_cast<int>(i))});

@@ -11,8 +11,8 @@ namespace pinfield {
 
 namespace {
 
-constexpr double most_samples = 100000;  // of one segment
-constexpr int fine_samples = 16;         // between two samples, near solids whose boundary is not known as pieces
+constexpr double most_samples = 100000;  // of one segment: 100 m of path at the usual spacing
+constexpr int fine_samples = 16;         // between two samples, near solids whose boundary is not known as pieces: 1/16 mm apart
 
 /// Where the movers are at a time since the world's start.
 void place_movers(const World& world, double time, std::vector<double>& q) {

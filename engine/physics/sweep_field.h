@@ -11,7 +11,7 @@ namespace pinfield {
 struct FieldHit {
     double time = infinity;   ///< of the contact; when none, infinity
     Vec2 normal{0, 0};        ///< unit, out of the solid
-    double concave_radius = 0;        ///< radius of a hollow arc met from inside, else 0
+    double concave_radius = 0;        ///< radius of a concave arc met from inside, else 0
     int solid = -1, leaf = -1;
     int piece = -1;           ///< of a lowered solid
 };

@@ -13,8 +13,13 @@ namespace pinfield {
 
 namespace {
 
-constexpr int most_evaluations = 64;
+constexpr int most_evaluations = 64;  // of one sweep: the next goes on from where this one is certified to be clear
+/// Of a stretch, whose bounds of speed and acceleration hold for all of it: over a longer one they would be too wide to step by, and the
+/// tip of a flipper takes several ticks for this much.
 constexpr double largest_turn = pi / 4;
+/// Tolerances. ContactBand::floor_below() leaves a ball that touches an eighth to creep: half of that, so that where it starts is not yet
+/// where it has arrived.
+constexpr double touching_accepted = 0.0625;
 
 /// What a rotating part looks like from a point in its frame: the nearest surface, and a certified time without contact.
 struct View {
@@ -121,7 +126,7 @@ MoverHit sweep_rotating(const Rotation& r, const Motion& ball, double duration, 
         View view = look(r, x, v, bounds, radius, level, accepted, layers);
         if (evaluations == 0 && view.gap <= band.touching()) {
             level = view.closing > 0 ? std::min(level, view.gap) : band.floor_below(view.gap);
-            accepted = 0.0625 * band.tolerance;
+            accepted = touching_accepted * band.tolerance;
             view = look(r, x, v, bounds, radius, level, accepted, layers);
         }
         ++evaluations;

@@ -6,9 +6,9 @@ namespace pinfield {
 
 namespace {
 
-constexpr int most_evaluations = 64;
+constexpr int most_evaluations = 64;  // of one arc or corner: each step squares the error, and what has not arrived by then grazes
 constexpr double overlap = 1e-8;  // of two pieces that join smoothly, so that no ball slips between them; in ball radii
-constexpr double smooth_join = 1e-9;
+constexpr double smooth_join = 1e-9;  // sine of the angle by which two pieces turn where they meet: far above rounding, far below corners
 
 SweepPiece prepared(const BoundaryPiece& boundary) {
     SweepPiece p{boundary.piece};

@@ -25,8 +25,8 @@ std::vector<SweepPiece> prepare_pieces(const Field& field);
 struct Foot {
     double distance = infinity;  ///< unsigned
     Vec2 normal{0, 0};           ///< unit, from the foot to p
-    double concave_radius = 0;   ///< radius of curvature of a hollow arc met from inside, else 0
-    double convex_radius = infinity;  ///< radius of curvature of what is met from outside: 0 a corner, infinity a straight side or a hollow
+    double concave_radius = 0;   ///< radius of curvature of a concave arc met from inside, else 0
+    double convex_radius = infinity;  ///< likewise of what is met from outside: 0 a corner, infinity a straight side or a concave arc
     bool outside = true;         ///< p is on the free side, and the foot is a place that a ball can touch
 };
 Foot nearest_on(const SweepPiece& piece, const Vec2& p);

@@ -14,8 +14,10 @@ namespace {
 
 using sdf::Clearance;
 
-constexpr int most_evaluations = 64;
-
+constexpr int most_evaluations = 64;  // of one sweep: the next goes on from where this one is certified to be clear
+/// Tolerances: what ContactBand::floor_below() leaves at least to a ball that touches and creeps closer. One that is on its way out has as
+/// much, and moves by half of it where nothing else certifies a step.
+constexpr double least_room = 0.125;
 
 /// One question to a tree; `lip` below is the step that a Lipschitz constant certifies at any node.
 struct Walk {
@@ -132,7 +134,7 @@ TreeSweep sweep_tree(const Field& field, int solid, const Motion& motion, double
     if (gap / lipschitz > motion.travel(duration) + band.tolerance) return out;
     bool touching = gap <= band.touching();
     const double rate = dot(start.gradient, motion.velocity);
-    if (touching && rate > 0) level = std::min(level, gap - 0.125 * band.tolerance);
+    if (touching && rate > 0) level = std::min(level, gap - least_room * band.tolerance);
     else if (touching) level = band.floor_below(gap);
     Nearest here = start;
     for (int i = 0; i < most_evaluations; ++i) {
@@ -158,7 +160,7 @@ TreeSweep sweep_tree(const Field& field, int solid, const Motion& motion, double
         const double speed = rest.top_speed(left);
         if (gap > level && speed > 0) step = std::max(step, (gap - level) / (lipschitz * speed));
         // Touching and on its way out, where nothing above can certify a step: the band itself is the room there is.
-        if (arrived && speed > 0) step = std::max(step, 0.0625 * band.tolerance / (lipschitz * speed));
+        if (arrived && speed > 0) step = std::max(step, 0.5 * least_room * band.tolerance / (lipschitz * speed));
         t += step;
         if (!(t < duration)) return out;
         here = truth_at(t);

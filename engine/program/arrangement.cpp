@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// Keeps the part when the solid lies on one side of it only. Sides are told leaf by leaf: the part's own leaf is
+    /// Keeps the part when the solid lies on one side of it only. Sides are judged leaf by leaf: the part's own leaf is
     /// on its left; any other holds both sides or none, unless its outline runs along here, which the sign of its
     /// gradient then resolves. Of parts that run along each other the first leaf's stays.
     void judge(const CutPiece& edge, const Piece& part, std::vector<OwnedPiece>& out) {
@@ -65,7 +65,7 @@ private:
     }
 
     /// The leaf's distance at p, or a bound of it. Its outline is asked, which is what the others are cut by, where p is on it and the
-    /// formula's foot is too near to tell the sides, and where it was traced.
+    /// formula's foot is too near to have a side, and where it was traced.
     sdf::Sample sample_of(const LeafImage& leaf, const Vec2& p) const {
         const sdf::Sample own = evaluate_tree(field_, leaf.leaf, leaf.field_from_leaf.inverse() * p);
         if (leaf.error == 0 && (std::fabs(own.value) > tolerance_ || leaf.endless))

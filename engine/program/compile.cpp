@@ -26,7 +26,7 @@ void add_part(CompileContext& context, const Item& item, Program& program) {
     Part& part = program.parts.back();
     switch (item.role) {
         case Role::solid:
-        case Role::boundary: part.solid = add_static_solid(context, item, index_of_part, program); break;
+        case Role::domain: part.solid = add_static_solid(context, item, index_of_part, program); break;
         case Role::mover:
             part.mover = static_cast<int>(program.movers.size());
             program.movers.push_back(compile_mover(context, item, index_of_part));
@@ -47,7 +47,7 @@ void add_part(CompileContext& context, const Item& item, Program& program) {
 void add_missing_domain(CompileContext& context, const std::vector<Item>& items, Program& program) {
     LayerMask bounded = 0;
     for (const Item& item : items)
-        if (item.role == Role::boundary) bounded |= layers_of(context, item.node);
+        if (item.role == Role::domain) bounded |= layers_of(context, item.node);
     const LayerMask all = static_cast<LayerMask>((std::uint64_t{1} << context.layers.size()) - 1);
     if (bounded != all) append(program.fixed, compile_default_domain(context, all & ~bounded));
 }

@@ -87,7 +87,7 @@ int Emitter::by_its_boundary(int child) {
     if (found.pieces.empty() || found.horizon < infinity) return child;
     sdf::Outline outline;
     for (const OwnedPiece& owned : found.pieces) outline.push_back(owned.piece);
-    const int boundary = emit(sdf::boundary_kernels(), sdf::packed_boundary(outline), tree.origin, Similarity{}, {child});
+    const int boundary = emit(sdf::found_outline_kernels(), sdf::found_outline_block(outline), tree.origin, Similarity{}, {child});
     at(field_.ops, boundary).bounds = tree.bounds.is_finite() ? sdf::bounds_of(outline) : tree.bounds;
     return boundary;
 }
@@ -245,8 +245,8 @@ Field compile_solid(CompileContext& context, const Item& item, const Similarity&
     const int shape =
         item.is_part ? emitter.emit_part_shape(node, field_from_node) : emitter.emit_node(item.node, field_from_node);
     if (shape < 0) return field;
-    if (item.role == Role::boundary) emitter.emit_implied<sdf::Complement>(item.node, field_from_node, {shape});
-    finish(field, item.node, layers_of(context, item.node), is_visible(context.scene, item.node), item.role == Role::boundary);
+    if (item.role == Role::domain) emitter.emit_implied<sdf::Complement>(item.node, field_from_node, {shape});
+    finish(field, item.node, layers_of(context, item.node), is_visible(context.scene, item.node), item.role == Role::domain);
     return field;
 }
 

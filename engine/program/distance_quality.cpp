@@ -24,7 +24,7 @@ void for_each_field(const Program& program, F&& tell) {
 template <class F>
 void for_each_quality(const Field& field, F&& tell) {
     for (const Op& op : field.ops) {
-        if (is_boundary(op)) tell(op.origin, DistanceQuality{op_at(field, at(field.links, op.first_link)).exactness, true});
+        if (is_found_outline(op)) tell(op.origin, DistanceQuality{op_at(field, at(field.links, op.first_link)).exactness, true});
         else tell(op.origin, DistanceQuality{op.exactness, false});
     }
     for (const Solid& solid : field.solids) {

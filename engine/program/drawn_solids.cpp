@@ -19,10 +19,10 @@ const Op& root_of(const Field& field, int solid) {
 
 bool is_exact(const Exactness& e) { return e.outside == Side::exact && e.inside == Side::exact; }
 
-OutlineBlock packed_boundary(const Field& field, const Solid& solid) {
+OutlineBlock found_outline_block(const Field& field, const Solid& solid) {
     sdf::Outline outline;
     for (int i = 0; i < solid.piece_count; ++i) outline.push_back(at(field.pieces, solid.first_piece + i).piece);
-    return sdf::packed_boundary(outline);
+    return sdf::found_outline_block(outline);
 }
 
 /// To a packed piece, both its ends included: unlike outline_distance.h, which leaves an end to the piece that starts there.
@@ -44,9 +44,9 @@ DrawnSolids::DrawnSolids(const Field& field, const Box2& window) : field_(field)
     for (std::size_t i = 0; i < field.solids.size(); ++i) {
         const Solid& solid = field.solids[i];
         if (!solid.visible || !solid.lowered || is_exact(at(field.ops, solid.root).exactness)) continue;
-        OutlineBlock outline = packed_boundary(field, solid);
+        OutlineBlock outline = found_outline_block(field, solid);
         if (solid.horizon < infinity &&
-            farthest + std::fabs(sdf::boundary_kernels().distance(outline.data(), window.centre().x(), window.centre().y())) >
+            farthest + std::fabs(sdf::found_outline_kernels().distance(outline.data(), window.centre().x(), window.centre().y())) >
                 solid.horizon)
             continue;
         outlines_[i] = std::move(outline);
@@ -60,7 +60,7 @@ bool DrawnSolids::exceeds_box(int solid) const { return by_boundary(solid) || ro
 double DrawnSolids::value(int solid, const Vec2& p) const {
     const double formula = tree_value(field_, at(field_.solids, solid).root, p);
     if (!by_boundary(solid)) return formula;
-    return std::copysign(sdf::boundary_kernels().distance(outline(solid).data(), p.x(), p.y()), formula);
+    return std::copysign(sdf::found_outline_kernels().distance(outline(solid).data(), p.x(), p.y()), formula);
 }
 
 void keep_near(const OutlineBlock& outline, const Vec2& centre, double reach, OutlineBlock& out) {

@@ -9,7 +9,8 @@
 namespace pinfield {
 namespace {
 
-/// How far past the foot a certificate looks for the surface, relative to the size of the numbers at hand.
+/// How far past the foot a certificate looks for the surface, relative to the size of the numbers at hand: some 10^5 roundings, more than
+/// the deepest trees add up, and a hundredth of the 1e-9 that is promised.
 constexpr double certificate_slack = 1e-11;
 
 const Solid& solid_at(const Field& field, int solid) { return at(field.solids, solid); }
@@ -98,8 +99,10 @@ Nearest corrected(const Field& field, const Nearest& found, const Vec2& p) {
         return out;
     };
     const std::optional<ZeroPoint> foot = zero_point_near(field, root, fitted, size);
-    constexpr double aslant = 0.02;  // what is seen less squarely than this is no foot but a place beside the corner that is nearest
-    if (foot && std::fabs(dot(p - foot->at, foot->along)) <= aslant * length(p - foot->at)) return seen_from(foot->at, error);
+    // A point of the line that is seen less squarely than this, the cosine of 89 degrees, is no foot but a place beside the corner that is
+    // nearest: true feet are off square by no more than the fit's error over the distance.
+    constexpr double most_oblique = 0.02;
+    if (foot && std::fabs(dot(p - foot->at, foot->along)) <= most_oblique * length(p - foot->at)) return seen_from(foot->at, error);
     const std::optional<ZeroCorner> corner = zero_corner_near(field, root, fitted, 2 * error, size);
     if (corner) return seen_from(corner->at, error / corner->sine);
     return foot ? seen_from(foot->at, error) : found;

@@ -61,7 +61,7 @@ public:
     void value(const PacketSolid& candidate, const Points& p, float* out) const {
         const int root = at(field_.solids, candidate.solid).root;
         if (!candidate.outline) return value(root, p, out);
-        packets(sdf::boundary_kernels()).distance(candidate.outline, sdf::PacketFrame{}, p.x, p.y, out, p.n);
+        packets(sdf::found_outline_kernels()).distance(candidate.outline, sdf::PacketFrame{}, p.x, p.y, out, p.n);
         take_side(root, p, out);
     }
 
@@ -87,10 +87,10 @@ private:
 
     void shape(const Op& op, const Points& p, float* out) const {
         packets(*op.kernels).distance(params(op), frame_of(op.local_from_field, op.scale), p.x, p.y, out, p.n);
-        if (is_boundary(op)) take_side(child(op, 0), p, out);
+        if (is_found_outline(op)) take_side(child(op, 0), p, out);
     }
 
-    /// A boundary may have pieces shorter than a float's rounding, which have no direction in floats: the tree's formula tells the side.
+    /// A boundary may have pieces shorter than a float's rounding, which have no direction in floats: the tree's formula decides the side.
     void take_side(int tree, const Points& p, float* out) const {
         Row side;
         value(tree, p, side.data());

@@ -68,7 +68,7 @@ void replace(std::vector<T>& list, int begin, int end, const std::vector<T>& wit
 
 }  // namespace
 
-bool is_boundary(const Op& op) { return op.kernels == &sdf::boundary_kernels(); }
+bool is_found_outline(const Op& op) { return op.kernels == &sdf::found_outline_kernels(); }
 
 void append(Field& field, const Field& fragment) {
     const Place at = end_of(field);

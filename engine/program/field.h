@@ -4,8 +4,8 @@
 
 namespace pinfield {
 
-/// Does the op stand for the boundary of the tree below it? Its only child is then asked for nothing but whose surface is whose.
-bool is_boundary(const Op& op);
+/// Is the op an outline that was found of the tree below it? Its only child is then asked for nothing but whose surface is whose.
+bool is_found_outline(const Op& op);
 
 /// Appends the solids of `fragment` with all they refer to.
 void append(Field& field, const Field& fragment);

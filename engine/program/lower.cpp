@@ -130,7 +130,7 @@ bool LeafCollector::collect_lattice(int index, const Similarity& chain) {
 bool LeafCollector::collect(int index, const Similarity& chain) {
     const Op& op = at(field_.ops, index);
     if (op.kernels->lattice) return collect_lattice(index, chain);
-    if (is_boundary(op)) return collect(at(field_.links, op.first_link), chain);
+    if (is_found_outline(op)) return collect(at(field_.links, op.first_link), chain);
     if (!is_boolean(*op.kernels, field_.params.data() + op.params))
         return op.kernels->form == Form::modify ? add_offset(index, chain) : add_traced(index, chain);
     if (op.kernels->form == Form::shape) return op.kernels->endless ? add_half_plane(index, chain) : add_shape(index, chain);
@@ -207,7 +207,7 @@ void Membership::append(int index, const std::vector<int>& lattice_copies, std::
         steps_.push_back({Step::unite, copies});
     };
     if (op.kernels->lattice) return unite(child_in_cells(field_, op), lattice_copies[next_lattice++]);
-    if (is_boundary(op)) return append(child_of(field_, op, 0), lattice_copies, next_lattice);
+    if (is_found_outline(op)) return append(child_of(field_, op, 0), lattice_copies, next_lattice);
     if (op.kernels->form == Form::shape || !is_boolean(*op.kernels, params)) return steps_.push_back({Step::leaf});
     if (op.kernels->form == Form::images) return unite(child_of(field_, op, 0), op.image_count);
     for (int i = 0; i < op.child_count; ++i) append(child_of(field_, op, i), lattice_copies, next_lattice);

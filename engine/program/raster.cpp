@@ -20,7 +20,7 @@ constexpr int leaves_a_side = 4;    // whose centres are asked together, in pack
 constexpr int leaves = leaves_a_side * leaves_a_side;
 constexpr int clump_tile = leaves_a_side * leaf_tile;
 
-/// The material of a pixel whose solid is known: the same all over the solid, or told leaf by leaf where its leaves
+/// The material of a pixel whose solid is known: the same all over the solid, or decided leaf by leaf where its leaves
 /// differ.
 class Materials {
 public:
@@ -139,20 +139,31 @@ private:
         kept_.resize(mine);
     }
 
-    /// Prunes once more for every leaf of a clump, by values at the leaves' centres, and samples them.
-    void sample_leaves(const Tile& clump, std::span<const int> candidates) {
-        std::array<float, leaves> x, y, least;
+    /// The leaves of a clump, and their centres as packets take them.
+    struct Leaves {
         std::array<Tile, leaves> tiles;
+        std::array<float, leaves> x, y;
+    };
+    Leaves leaves_of(const Tile& clump) const {
+        Leaves out;
         for (int k = 0; k < leaves; ++k) {
             const auto i = static_cast<std::size_t>(k);
-            tiles[i] = {clump.x + k % leaves_a_side * leaf_tile, clump.y + k / leaves_a_side * leaf_tile, leaf_tile};
-            const Vec2 centre = centre_of(tiles[i]);
-            x[i] = static_cast<float>(centre.x());
-            y[i] = static_cast<float>(centre.y());
+            out.tiles[i] = {clump.x + k % leaves_a_side * leaf_tile, clump.y + k / leaves_a_side * leaf_tile, leaf_tile};
+            const Vec2 centre = centre_of(out.tiles[i]);
+            out.x[i] = static_cast<float>(centre.x());
+            out.y[i] = static_cast<float>(centre.y());
         }
+        return out;
+    }
+    double leaf_reach() const { return 0.5 * leaf_tile * length(pixel_); }
+
+    /// Of the union of the candidates, an upper bound of its values in each leaf; lower bounds of each candidate's
+    /// own go to leaf_values_. By values at the leaves' centres.
+    std::array<float, leaves> bound_values(const Tile& clump, const Leaves& in, std::span<const int> candidates) {
         // A packet's value is a float's: it may err by some roundings of the coordinates, and of itself.
         const double far = std::max(length(raster_.window.lo), length(raster_.window.hi));
-        const double reach = 0.5 * leaf_tile * length(pixel_), doubt = 1e-5 * far + 1e-3 * reach;
+        const double reach = leaf_reach(), doubt = 1e-5 * far + 1e-3 * reach;
+        std::array<float, leaves> least;
         least.fill(std::numeric_limits<float>::infinity());
         const Vec2 centre = centre_of(clump);
         for (std::size_t c = 0; c < candidates.size(); ++c) {
@@ -162,7 +173,7 @@ private:
                 keep_near(drawn_.outline(candidates[c]), centre, leaves_a_side * reach, clump_outlines_[c]);
                 solid.outline = clump_outlines_[c].data();
             }
-            evaluate_packets(field_, std::span(&solid, 1), x.data(), y.data(), leaves, low.data(), nullptr, isa_);
+            evaluate_packets(field_, std::span(&solid, 1), in.x.data(), in.y.data(), leaves, low.data(), nullptr, isa_);
             const double lipschitz = drawn_.lipschitz(candidates[c]);
             const auto margin = static_cast<float>(lipschitz * reach + doubt);
             for (std::size_t k = 0; k < leaves; ++k) {
@@ -170,20 +181,32 @@ private:
                 low[k] -= margin;
             }
         }
-        for (std::size_t k = 0; k < leaves; ++k) {
-            if (tiles[k].x >= raster_.width || tiles[k].y >= raster_.height) continue;
-            near_leaf_.clear();
-            for (std::size_t c = 0; c < candidates.size(); ++c) {
-                if (!(leaf_values_[c][k] <= least[k])) continue;
-                PacketSolid solid{candidates[c]};
-                if (drawn_.by_boundary(candidates[c])) {
-                    OutlineBlock& outline = leaf_outlines_[near_leaf_.size()];
-                    keep_near(clump_outlines_[c], centre_of(tiles[k]), reach, outline);
-                    solid.outline = outline.data();
-                }
-                near_leaf_.push_back(solid);
+        return least;
+    }
+
+    /// Into near_leaf_: the candidates that can be nearest somewhere in leaf k, where none is farther than `least`.
+    void keep_near_leaf(std::size_t k, const Tile& leaf, float least, std::span<const int> candidates) {
+        near_leaf_.clear();
+        for (std::size_t c = 0; c < candidates.size(); ++c) {
+            if (!(leaf_values_[c][k] <= least)) continue;
+            PacketSolid solid{candidates[c]};
+            if (drawn_.by_boundary(candidates[c])) {
+                OutlineBlock& outline = leaf_outlines_[near_leaf_.size()];
+                keep_near(clump_outlines_[c], centre_of(leaf), leaf_reach(), outline);
+                solid.outline = outline.data();
             }
-            sample(tiles[k], k / leaves_a_side * leaf_tile * clump_tile + k % leaves_a_side * leaf_tile, near_leaf_);
+            near_leaf_.push_back(solid);
+        }
+    }
+
+    /// Prunes once more for every leaf of a clump, and samples them.
+    void sample_leaves(const Tile& clump, std::span<const int> candidates) {
+        const Leaves in = leaves_of(clump);
+        const std::array<float, leaves> least = bound_values(clump, in, candidates);
+        for (std::size_t k = 0; k < leaves; ++k) {
+            if (in.tiles[k].x >= raster_.width || in.tiles[k].y >= raster_.height) continue;
+            keep_near_leaf(k, in.tiles[k], least[k], candidates);
+            sample(in.tiles[k], k / leaves_a_side * leaf_tile * clump_tile + k % leaves_a_side * leaf_tile, near_leaf_);
         }
         write_clump(clump);
     }

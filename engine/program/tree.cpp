@@ -53,31 +53,32 @@ double images_value(const Field& field, const Op& op, const Vec2& p) {
     return value;
 }
 
-struct Traced {
+/// A value with the leaf that moves it most.
+struct LeafSample {
     Sample sample;
     int leaf = 0;
-    double share = 1;  ///< the leaf's blend weight
+    double share = 1;  ///< how much the value moves with the leaf's own
 };
 
-Traced trace(const Field& field, int index, const Vec2& p);
+LeafSample sample_op(const Field& field, int index, const Vec2& p);
 
-Traced trace_shape(const Field& field, int index, const Vec2& p) {
+LeafSample sample_shape(const Field& field, int index, const Vec2& p) {
     const Op& op = op_at(field, index);
     const Vec2 local = op.local_from_field * p;
     const Sample s = op.kernels->sample(params_of(field, op), local.x(), local.y());
     const Sample found{s.value * op.scale, direction_before(op.local_from_field, s.gradient)};
-    if (!is_boundary(op)) return {found, index};
+    if (!is_found_outline(op)) return {found, index};
     // The surface at the foot is a leaf's of the tree that the boundary stands for.
-    Traced at_foot = trace(field, child_of(field, op, 0), p - found.value * found.gradient);
+    LeafSample at_foot = sample_op(field, child_of(field, op, 0), p - found.value * found.gradient);
     at_foot.sample = found;
     return at_foot;
 }
 
 /// The leaf of a fold is the one that moves the result most; the first of equals.
-Traced trace_fold(const Field& field, const Op& op, const Vec2& p) {
-    Traced out = trace(field, child_of(field, op, 0), p);
+LeafSample sample_fold(const Field& field, const Op& op, const Vec2& p) {
+    LeafSample out = sample_op(field, child_of(field, op, 0), p);
     for (int i = 1; i < op.child_count; ++i) {
-        const Traced next = trace(field, child_of(field, op, i), p);
+        const LeafSample next = sample_op(field, child_of(field, op, i), p);
         const sdf::Partials f = op.kernels->combine_partials(params_of(field, op), out.sample.value / op.scale,
                                                              next.sample.value / op.scale);
         out.sample = {f.value * op.scale, f.by_a * out.sample.gradient + f.by_b * next.sample.gradient};
@@ -88,8 +89,8 @@ Traced trace_fold(const Field& field, const Op& op, const Vec2& p) {
     return out;
 }
 
-Traced trace_modify(const Field& field, const Op& op, const Vec2& p) {
-    Traced out = trace(field, child_of(field, op, 0), p);
+LeafSample sample_modify(const Field& field, const Op& op, const Vec2& p) {
+    LeafSample out = sample_op(field, child_of(field, op, 0), p);
     const double* params = params_of(field, op);
     const sdf::Affine affine = op.kernels->affine(params);
     const bool flips = affine.absolute ? out.sample.value < 0 : affine.sign < 0;
@@ -98,14 +99,14 @@ Traced trace_modify(const Field& field, const Op& op, const Vec2& p) {
     return out;
 }
 
-Traced trace_images(const Field& field, const Op& op, const Vec2& p) {
-    Traced best;
+LeafSample sample_images(const Field& field, const Op& op, const Vec2& p) {
+    LeafSample best;
     best.sample.value = infinity;
     for (int i = 0; i < op.image_count; ++i) {
         const Similarity& image = image_of(field, op, i);
         const Vec2 there = image.inverse() * p;
         if (!may_be_nearer(op_at(field, child_of(field, op, 0)), there, best.sample.value)) continue;
-        Traced seen = trace(field, child_of(field, op, 0), there);
+        LeafSample seen = sample_op(field, child_of(field, op, 0), there);
         if (!(seen.sample.value < best.sample.value)) continue;
         seen.sample.gradient = image.direction(seen.sample.gradient);
         best = seen;
@@ -119,26 +120,26 @@ double warp_value(const Field& field, const Op& op, const Vec2& p) {
     return op.kernels->factor(params) * tree_value(field, child_of(field, op, 0), there) + op.kernels->lift(params, local) * op.scale;
 }
 
-Traced trace_warp(const Field& field, const Op& op, const Vec2& p) {
+LeafSample sample_warp(const Field& field, const Op& op, const Vec2& p) {
     const double* params = params_of(field, op);
     const double factor = op.kernels->factor(params);
     const Similarity field_from_local = op.local_from_field.inverse();
     const sdf::Warped warped = op.kernels->warped(params, op.local_from_field * p);
-    Traced out = trace(field, child_of(field, op, 0), field_from_local * warped.point);
+    LeafSample out = sample_op(field, child_of(field, op, 0), field_from_local * warped.point);
     out.sample.value = factor * out.sample.value + warped.lift * op.scale;
     out.sample.gradient =
         direction_before(op.local_from_field, warped.gradient(factor, direction_before(field_from_local, out.sample.gradient)));
     return out;
 }
 
-Traced trace(const Field& field, int index, const Vec2& p) {
+LeafSample sample_op(const Field& field, int index, const Vec2& p) {
     const Op& op = op_at(field, index);
     switch (op.kernels->form) {
-        case Form::shape: return trace_shape(field, index, p);
-        case Form::fold: return trace_fold(field, op, p);
-        case Form::modify: return trace_modify(field, op, p);
-        case Form::images: return trace_images(field, op, p);
-        case Form::warp: return trace_warp(field, op, p);
+        case Form::shape: return sample_shape(field, index, p);
+        case Form::fold: return sample_fold(field, op, p);
+        case Form::modify: return sample_modify(field, op, p);
+        case Form::images: return sample_images(field, op, p);
+        case Form::warp: return sample_warp(field, op, p);
     }
     assert(false && "an op has one of the five forms");
     return {};
@@ -165,9 +166,9 @@ double tree_value(const Field& field, int index, const Vec2& p) {
 }
 
 Sample evaluate_tree(const Field& field, int op, const Vec2& p, int* leaf) {
-    const Traced traced = trace(field, op, p);
-    if (leaf) *leaf = traced.leaf;
-    return traced.sample;
+    const LeafSample found = sample_op(field, op, p);
+    if (leaf) *leaf = found.leaf;
+    return found.sample;
 }
 
 }  // namespace pinfield

@@ -30,8 +30,8 @@ struct ZeroCorner {
 std::optional<ZeroCorner> zero_corner_near(const Field& field, int op, const Vec2& p, double reach, double size);
 
 /// All loops in a square lattice of `cells` x `cells` (a power of two) over `window`, neighbouring points at most a cell apart, the solid
-/// on the left. The field's Lipschitz constant tells which parts of the lattice need no look. Nothing when the lattice is too coarse to
-/// tell how the line runs, unless `settle` asks for the likeliest course; and nothing when the line leaves the window.
+/// on the left. The field's Lipschitz constant says which parts of the lattice need no visit. Nothing when the lattice is too coarse to
+/// show how the line runs, unless `settle` asks for the likeliest course; and nothing when the line leaves the window.
 std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window, int cells, bool settle);
 
 }  // namespace pinfield

@@ -7,10 +7,10 @@
 
 namespace pinfield {
 
-/// solid: belongs to the static field. boundary: the field outside its shape is solid (the domain).
+/// solid: belongs to the static field. domain: the field outside its shape is solid.
 /// mover: a solid with a rigid motion of its own, compiled apart. sensor: notices balls, never in the field.
 /// group: only a place for the scene nodes in it.
-enum class Role : unsigned char { solid, boundary, mover, sensor, group };
+enum class Role : unsigned char { solid, domain, mover, sensor, group };
 
 /// A shape with packed parameters in the part's local frame.
 struct CustomaryShape {

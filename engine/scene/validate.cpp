@@ -71,7 +71,7 @@ void check_domains(const Scene& scene, std::size_t most, Diagnostics& findings) 
     std::map<std::string, NodeId> domain_of;
     for (const NodeId id : scene.all()) {
         const Node& node = *scene.find(id);
-        if (!node.type->part || node.type->part->role != Role::boundary) continue;
+        if (!node.type->part || node.type->part->role != Role::domain) continue;
         for (const std::string& layer : scene.layers(id)) {
             if (findings.size() > most) return;
             const auto [first, is_new] = domain_of.emplace(layer, id);

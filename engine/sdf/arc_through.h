@@ -24,7 +24,7 @@ ArcThrough arc_through(const Point<double>& a, const Point<double>& middle, cons
     const Point<double> u = middle - a, v = b - middle, w = b - a;
     const double uu = dot(u, u), vv = dot(v, v), ww = dot(w, w);
     constexpr double nothing = 1e-60;  // square metres, whose cubes are still numbers
-    const bool closes = ww < nothing, about_a = !closes && ww < min(uu, vv);  // the shortest side tells the directions best
+    const bool closes = ww < nothing, about_a = !closes && ww < min(uu, vv);  // the shortest side has the surest direction
     const double turn = about_a ? cross(u, w) : cross(u, v), sides = sqrt(uu) * sqrt(vv) * sqrt(ww);
     ArcThrough out{a, middle, b, uu < nothing || vv < nothing || (turn == 0 && !closes), closes, dot(u, v) < 0, {}};
     if (out.straight) return out;

@@ -1,4 +1,4 @@
-// The one distance formula of every shape that is written as its outline of lines and arcs (see OutlinedShape in make_kernels.h):
+// The one distance formula of every shape that is written as its outline of lines and arcs alone (HasOutlineOnly in packet_kernels.h):
 // exact on both sides, with a unit gradient everywhere. The outline is packed once, by pack_outline(); a query looks at every piece, or,
 // one at a time, by boxes around groups of them.
 #pragma once

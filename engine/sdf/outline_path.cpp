@@ -100,7 +100,7 @@ void pack_outline(const Outline& outline, int most_pieces, double* out) {
     }
 }
 
-std::vector<double> packed_boundary(const Outline& outline) {
+std::vector<double> found_outline_block(const Outline& outline) {
     const int most_pieces = static_cast<int>(outline.size());
     std::vector<double> out(static_cast<std::size_t>(packed_outline_size(most_pieces)));
     pack_outline(outline, most_pieces, out.data());

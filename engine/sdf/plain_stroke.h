@@ -20,6 +20,7 @@ enum class StrokeEnds : unsigned char { round, joined };
 template <class Curve, class Distance>
 bool is_plain_stroke(const Curve& curve, double top_speed, double half_thickness, const Distance& distance_to_middle,
                      StrokeEnds ends = StrokeEnds::round) {
+    // A wall so long or thin that it takes more is not tried; a short one is tried at the least, for it may bend all the same.
     constexpr int most_steps = 2000, least_steps = 64, steps_round_end = 16;
     const double wanted = 4 * top_speed / half_thickness;
     if (!(wanted <= most_steps)) return false;

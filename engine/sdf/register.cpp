@@ -9,7 +9,7 @@
 namespace pinfield::sdf {
 namespace {
 
-/// Every node of the families, and last the boundary, with all its kernels.
+/// Every node of the families, and last the found outline, with all their kernels.
 struct BuiltIn {
     std::vector<NodeType> types;
     std::vector<Kernels> kernels;
@@ -48,6 +48,6 @@ const NodeType& built_in_type(std::string_view key) {
     return *found;
 }
 
-const Kernels& boundary_kernels() { return built_in().kernels.back(); }
+const Kernels& found_outline_kernels() { return built_in().kernels.back(); }
 
 }  // namespace pinfield::sdf

@@ -13,7 +13,7 @@ void add_built_in(Catalog& catalog);
 /// The built-in node of this name, which there must be.
 const NodeType& built_in_type(std::string_view key);
 
-/// Of boundary.h, which is no node of any table.
-const Kernels& boundary_kernels();
+/// Of found_outline.h, which is no node of any table.
+const Kernels& found_outline_kernels();
 
 }  // namespace pinfield::sdf

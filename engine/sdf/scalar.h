@@ -1,5 +1,6 @@
-// The operations a distance formula may use, for double; dual.h and packet.h give the same ones for their scalars.
-// A formula branches by `select`, never by `if` on a Real, so that the same source runs on SIMD lanes.
+// The operations a distance formula may use, for double, and below those that are made of them for any scalar. dual.h and packet.h give
+// the same for their scalars, and so does whoever brings another. A formula branches by `select`, never by `if` on a Real, so that the same
+// source runs on SIMD lanes.
 #pragma once
 #include <cmath>
 

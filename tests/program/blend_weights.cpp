@@ -50,7 +50,7 @@ void add_weights(const Field& field, int index, const Vec2& p, double share, std
     if (op.child_count == 0) return out.push_back({index, share});
     if (op.kernels->form == Form::fold) return add_fold_weights(field, op, p, share, out);
     Vec2 there = p;  // where the only child is asked
-    if (is_boundary(op)) {
+    if (is_found_outline(op)) {
         const Sample s = evaluate_tree(field, index, p);
         there = p - s.value * s.gradient;
     } else if (op.kernels->form == Form::images) {

@@ -86,9 +86,9 @@ TEST_CASE("no query of any compiled random scene yields a NaN, wherever it is as
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         Scene scene(catalog());
         RandomTree(scene, seed, true).grow({}, 3);
-        const NodeId goo = add(scene, "smooth_union");
-        RandomTree(scene, seed + 1000, true).grow(goo, 2);
-        RandomTree(scene, seed + 2000, true).grow(goo, 2);
+        const NodeId blend = add(scene, "smooth_union");
+        RandomTree(scene, seed + 1000, true).grow(blend, 2);
+        RandomTree(scene, seed + 2000, true).grow(blend, 2);
         const ProgramPtr program = compiled(scene);
         for (int x = -20; x <= 20; ++x)
             for (int y = -20; y <= 20; ++y) {  // a grid meets vertices, centres and outlines

@@ -26,9 +26,9 @@ TEST_CASE("a node's trust is that of its formula over its children, and its boun
     const NodeId joined = add(scene, "union");
     const NodeId disc = add(scene, "circle", joined, {{"radius", 0.02}});
     add(scene, "box", joined, {{"size", Vec2(0.02, 0.02)}, {"at", Vec2(0.02, 0)}});
-    const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.01}});
-    add(scene, "ellipse", goo);
-    add(scene, "half_plane", goo);
+    const NodeId blend = add(scene, "smooth_union", {}, {{"k", 0.01}});
+    add(scene, "ellipse", blend);
+    add(scene, "half_plane", blend);
     const NodeId open = wedge(scene, "intersection", {});
     const NodeId onion = add(scene, "onion");
     const NodeId cut = add(scene, "difference", onion);
@@ -51,7 +51,7 @@ TEST_CASE("a node's trust is that of its formula over its children, and its boun
     };
     check(joined, outside_only, true);
     check(disc, {}, false);
-    check(goo, neither, false);
+    check(blend, neither, false);
     check(open, inside_only, false);
     check(cut, inside_only, true);  // for the onion's sake, although it is no solid of its own
     check(onion, outside_only, true);
@@ -61,10 +61,10 @@ TEST_CASE("a node's trust is that of its formula over its children, and its boun
 
 TEST_CASE("a fitted boundary is known within its error, which makes no side of it exact") {
     Scene scene(catalog());
-    const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.005}});
-    add(scene, "circle", goo, {{"radius", 0.05}});
-    add(scene, "circle", goo, {{"radius", 0.05}, {"at", Vec2(0.1, 0)}});
-    const std::optional<DistanceQuality> quality = distance_quality_of(*compiled(scene), goo);
+    const NodeId blend = add(scene, "smooth_union", {}, {{"k", 0.005}});
+    add(scene, "circle", blend, {{"radius", 0.05}});
+    add(scene, "circle", blend, {{"radius", 0.05}, {"at", Vec2(0.1, 0)}});
+    const std::optional<DistanceQuality> quality = distance_quality_of(*compiled(scene), blend);
     REQUIRE(quality);
     CHECK(quality->boundary_known);
     CHECK(quality->fit_error == Approx(1e-7 * (0.2 + 2 * 0.005)));  // a ten millionth of the longer side of its box

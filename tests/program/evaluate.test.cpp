@@ -139,9 +139,9 @@ TEST_CASE("on the outline itself the distance is zero and the gradient points ou
 TEST_CASE("a blend is certified where the foot shows that its value is the distance") {
     Scene scene(catalog());
     set(scene.table(), "size", Vec2(10, 10));
-    const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.05}});
-    add(scene, "circle", goo, {{"radius", 0.5}, {"at", Vec2(4, 5)}});
-    add(scene, "circle", goo, {{"radius", 0.5}, {"at", Vec2(4.9, 5)}});
+    const NodeId blend = add(scene, "smooth_union", {}, {{"k", 0.05}});
+    add(scene, "circle", blend, {{"radius", 0.5}, {"at", Vec2(4, 5)}});
+    add(scene, "circle", blend, {{"radius", 0.5}, {"at", Vec2(4.9, 5)}});
     const ProgramPtr program = compiled(scene);
     const Nearest far = nearest_of_solid(program->fixed, 0, {3.2, 5});  // left of the left disc, where nothing blends
     CHECK(far.certified);

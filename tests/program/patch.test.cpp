@@ -103,9 +103,9 @@ TEST_CASE("a patched program equals a recompiled one, whatever field of a random
         for (int i = 0; i < 3; ++i)
             RandomTree(scene, seed * 7 + static_cast<std::uint64_t>(i), seed % 2 == 0)
                 .grow(i == 1 ? group : NodeId{}, i);
-        const NodeId goo = add(scene, "smooth_union", group);
-        add(scene, "circle", goo);
-        add(scene, "ellipse", goo, {{"at", Vec2(0.03, 0)}});
+        const NodeId blend = add(scene, "smooth_union", group);
+        add(scene, "circle", blend);
+        add(scene, "ellipse", blend, {{"at", Vec2(0.03, 0)}});
         scene.inputs.push_back({"left", {"Z"}, {}});
         add(scene, "flipper", group, {{"input", std::vector<std::string>{"left"}}, {"flip", std::string("x")}});
         add(scene, "plunger", {}, {{"turn", 12.0}});

@@ -81,9 +81,9 @@ TEST_CASE("a traced boundary is closed, follows the zero line, and has the solid
     for (const std::string_view shape : {"ellipse", "parabola", "hyperbola", "blobby_cross", "circle_wave", "quadratic_bezier", "spiral"}) {
         INFO(shape);
         const ProgramPtr program = table_of([&](Scene& scene) {
-            const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.004}});
-            add(scene, shape, goo, {{"at", Vec2(0.4, 0.5)}});
-            add(scene, "box", goo, {{"size", Vec2(0.05, 0.02)}, {"at", Vec2(0.43, 0.51)}, {"turn", 20.0}});
+            const NodeId blend = add(scene, "smooth_union", {}, {{"k", 0.004}});
+            add(scene, shape, blend, {{"at", Vec2(0.4, 0.5)}});
+            add(scene, "box", blend, {{"size", Vec2(0.05, 0.02)}, {"at", Vec2(0.43, 0.51)}, {"turn", 20.0}});
         });
         const Field& field = program->fixed;
         if (!field.solids[0].bounds.is_finite()) continue;
@@ -170,9 +170,9 @@ TEST_CASE("identical, touching and overlapping ellipses unite, cut and exclude e
 TEST_CASE("an offset of a blend is an offset of its true distance") {
     const ProgramPtr program = table_of([&](Scene& scene) {
         const NodeId inset = add(scene, "inset", {}, {{"distance", 0.004}});
-        const NodeId goo = add(scene, "smooth_union", inset, {{"k", 0.01}});
-        add(scene, "circle", goo, {{"radius", 0.03}, {"at", Vec2(0.4, 0.5)}});
-        add(scene, "circle", goo, {{"radius", 0.03}, {"at", Vec2(0.45, 0.5)}});
+        const NodeId blend = add(scene, "smooth_union", inset, {{"k", 0.01}});
+        add(scene, "circle", blend, {{"radius", 0.03}, {"at", Vec2(0.4, 0.5)}});
+        add(scene, "circle", blend, {{"radius", 0.03}, {"at", Vec2(0.45, 0.5)}});
         const NodeId bare = add(scene, "smooth_union", {}, {{"k", 0.01}});
         add(scene, "circle", bare, {{"radius", 0.03}, {"at", Vec2(0.4, 0.5)}});
         add(scene, "circle", bare, {{"radius", 0.03}, {"at", Vec2(0.45, 0.5)}});
@@ -191,9 +191,9 @@ TEST_CASE("an offset of a blend is an offset of its true distance") {
 TEST_CASE("each piece of a traced boundary belongs to the shape whose surface it is") {
     NodeId left, right;
     const ProgramPtr program = table_of([&](Scene& scene) {
-        const NodeId goo = add(scene, "smooth_union", {}, {{"k", 0.002}});
-        left = add(scene, "circle", goo, {{"radius", 0.03}, {"at", Vec2(0.4, 0.5)}});
-        right = add(scene, "circle", goo, {{"radius", 0.03}, {"at", Vec2(0.45, 0.5)}});
+        const NodeId blend = add(scene, "smooth_union", {}, {{"k", 0.002}});
+        left = add(scene, "circle", blend, {{"radius", 0.03}, {"at", Vec2(0.4, 0.5)}});
+        right = add(scene, "circle", blend, {{"radius", 0.03}, {"at", Vec2(0.45, 0.5)}});
     });
     const Field& field = program->fixed;
     int of_left = 0, of_right = 0;

@@ -75,12 +75,12 @@ TEST_CASE("each operation keeps of its children's exactness what it can and no m
 }
 
 TEST_CASE("a smooth union lowers what coincides by k, leaves alone what is 4 k apart, and is symmetric") {
-    const SmoothUnion<double> goo{.k = 0.01};
+    const SmoothUnion<double> blend{.k = 0.01};
     for (const double a : {-0.05, 0.0, 0.02}) {
-        CHECK(goo.combine(a, a) == Approx(a - 0.01).margin(1e-17));
-        CHECK(goo.combine(a, a + 0.04) == a);
-        CHECK(goo.combine(a + 0.05, a) == a);
-        CHECK(goo.combine(a, a + 0.013) == goo.combine(a + 0.013, a));
+        CHECK(blend.combine(a, a) == Approx(a - 0.01).margin(1e-17));
+        CHECK(blend.combine(a, a + 0.04) == a);
+        CHECK(blend.combine(a + 0.05, a) == a);
+        CHECK(blend.combine(a, a + 0.013) == blend.combine(a + 0.013, a));
     }
     const SmoothUnion<double> dry{.k = 0};
     CHECK(dry.combine(0.01, 0.02) == 0.01);
@@ -205,8 +205,8 @@ TEST_CASE("every smooth operation hands its family and its steps on") {
 }
 
 TEST_CASE("where two fields tie, a smooth union's weights are one half each") {
-    const SmoothUnion<Dual> goo{.k = Dual(0.01)};
-    const Dual f = goo.combine(Dual(0.003, 1, 0), Dual(0.003, 0, 1));
+    const SmoothUnion<Dual> blend{.k = Dual(0.01)};
+    const Dual f = blend.combine(Dual(0.003, 1, 0), Dual(0.003, 0, 1));
     CHECK(f.dx == Approx(0.5));
     CHECK(f.dy == Approx(0.5));
 }

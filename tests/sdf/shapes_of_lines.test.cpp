@@ -399,7 +399,7 @@ TEST_CASE("a long boundary is searched by its boxes with the bits of a search th
     const int count = static_cast<int>(gear.size());
     std::vector<double> plain(static_cast<std::size_t>(packed_outline_size(count)));
     pack_outline(gear, count, plain.data());
-    const std::vector<double> boxed = packed_boundary(gear);
+    const std::vector<double> boxed = found_outline_block(gear);
     REQUIRE(boxed[2] > 0);
     std::vector<Vec2> points = points_within(0.15, 4000);
     for (const Piece& piece : gear) points.insert(points.end(), {piece.a, 0.5 * (piece.a + piece.b)});

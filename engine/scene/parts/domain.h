@@ -6,7 +6,7 @@ namespace pinfield::parts {
 
 /// Where balls may be: the union of the children. All of the plane outside it is solid.
 struct Domain {
-    static constexpr Role role = Role::boundary;
+    static constexpr Role role = Role::domain;
 
     static constexpr auto describe() {
         return part<Domain>({.key = "domain",

@@ -1,6 +1,6 @@
 // Operations. To add one: write its header, name it here, give it a scene in scenes/nodes/.
 #pragma once
-#include "engine/sdf/boundary.h"
+#include "engine/sdf/found_outline.h"
 #include "engine/sdf/node_list.h"
 #include "engine/sdf/operations/bend.h"
 #include "engine/sdf/operations/complement.h"
@@ -29,7 +29,7 @@ namespace pinfield::sdf {
 using Operations = NodeList<
     Union, Intersection, Difference, Xor, Complement, SmoothUnion, SmoothIntersection, SmoothDifference, Lerp, Round, Inset,
     Onion, Mirror, Repeat, RepeatPolar, RepeatInfinite, Elongate, Stretch, Twist, Bend, Displace,
-    Boundary  // last: no node of any table, only compiling one makes use of it
+    FoundOutline  // last: no node of any table, only compiling one makes use of it
     >;
 
 }  // namespace pinfield::sdf

@@ -31,7 +31,7 @@ struct Arc {
         half_sine = half.sine;
     }
 
-    /// The sign of a cross product tells whether the point lies within the arc's sector. The nudge keeps that sign right for a
+    /// The sign of a cross product says whether the point lies within the arc's sector. The nudge keeps that sign right for a
     /// full ring (always within) and for an arc of no length (never within, but for +x, where both answers agree).
     Real distance(const Point<Real>& p) const {
         const Point<Real> q = in_frame(p, middle_cosine, middle_sine);

@@ -13,7 +13,7 @@ namespace pinfield::sdf {
 /// right however far the child reaches out of its cell, as outside of it the child's is.
 template <class Real>
 struct RepeatInfinite {
-    static constexpr double least_step = 1e-4;
+    static constexpr double least_step = 1e-4;  // metres: several hundred floats wide where a table lies
 
     Point<Real> step{Real(0.05), Real(0.05)};
 
