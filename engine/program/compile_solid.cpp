@@ -56,6 +56,12 @@ private:
     int by_its_boundary(int child);
     int with_neighbours(int child, const sdf::Lattice& lattice, NodeId origin, const Similarity& field_from_op);
     void bound(Op& op, const Similarity& field_from_op);
+    Box2 box_over(const Op& op, const Similarity& field_from_op, const std::vector<Box2>& children) const;
+    Box2 box_to_grow(int index, double reach) const;
+    Box2 box_below(int index, double level) const;
+    bool is_warped(int index) const;
+    int child_of(const Op& op, int i) const { return at(field_.links, op.first_link + i); }
+    double reach_of(const Op& op) const;
     int material_of(NodeId id) const;
 
     CompileContext& context_;
@@ -164,26 +170,59 @@ void Emitter::bound(Op& op, const Similarity& field_from_op) {
     std::vector<Box2> boxes;
     std::vector<Exactness> sides;
     for (int i = 0; i < op.child_count; ++i) {
-        const Op& child =
-            at(field_.ops, at(field_.links, op.first_link + i));
-        boxes.push_back(op.kernels->form == sdf::Form::warp ? op.local_from_field * child.bounds : scaled(child.bounds, 1 / op.scale));
-        sides.push_back(child.exactness);
+        boxes.push_back(box_to_grow(child_of(op, i), reach_of(op)));
+        sides.push_back(at(field_.ops, child_of(op, i)).exactness);
     }
     op.exactness = op.kernels->exactness(params, sides);
-    switch (op.kernels->form) {
-        case sdf::Form::shape: op.bounds = field_from_op * op.kernels->bounds(params); break;
-        case sdf::Form::fold:
-        case sdf::Form::modify: op.bounds = scaled(op.kernels->bounds_over(params, boxes), op.scale); break;
-        case sdf::Form::warp: op.bounds = field_from_op * op.kernels->bounds_over(params, boxes); break;
-        case sdf::Form::images: {
-            const Op& child =
-                at(field_.ops, at(field_.links, op.first_link));
-            for (int i = 0; i < op.image_count; ++i)
-                op.bounds =
-                    op.bounds.merged(at(field_.images, op.first_image + i) * child.bounds);
-            break;
-        }
+    op.bounds = box_over(op, field_from_op, boxes);
+}
+
+/// From boxes of its children, all in the Field's frame.
+Box2 Emitter::box_over(const Op& op, const Similarity& field_from_op, const std::vector<Box2>& children) const {
+    const double* params = field_.params.data() + op.params;
+    const bool is_warp = op.kernels->form == sdf::Form::warp;
+    if (op.kernels->form == sdf::Form::shape) return field_from_op * op.kernels->bounds(params);
+    if (op.kernels->form == sdf::Form::images) {
+        Box2 all;
+        for (int i = 0; i < op.image_count; ++i) all = all.merged(at(field_.images, op.first_image + i) * children[0]);
+        return all;
     }
+    std::vector<Box2> local;
+    for (const Box2& child : children) local.push_back(is_warp ? op.local_from_field * child : scaled(child, 1 / op.scale));
+    const Box2 box = op.kernels->bounds_over(params, local);
+    return is_warp ? field_from_op * box : scaled(box, op.scale);
+}
+
+/// How far, in metres, an op may be solid over where its children's fields are.
+double Emitter::reach_of(const Op& op) const {
+    return op.kernels->reach ? op.kernels->reach(field_.params.data() + op.params, op.child_count) * op.scale : 0;
+}
+
+/// Is the op's field no distance for the sake of a warp?
+bool Emitter::is_warped(int index) const {
+    const Op& op = at(field_.ops, index);
+    if (op.exactness.outside == Side::exact) return false;
+    if (op.kernels->form == sdf::Form::warp) return true;
+    for (int i = 0; i < op.child_count; ++i)
+        if (is_warped(child_of(op, i))) return true;
+    return false;
+}
+
+/// A box that holds where the op's field is below `reach` once it has been grown by that, as its parent's formula will do.
+Box2 Emitter::box_to_grow(int index, double reach) const {
+    return reach > 0 && is_warped(index) ? box_below(index, reach).grown(-reach) : at(field_.ops, index).bounds;
+}
+
+/// Where the op's field is below `level` metres. Of a distance, and of what is folded of distances, that is as far outside of its box; but
+/// a warp divides its child's field, by more than one the more it bends, so that its isolines lie farther out: where its child's do.
+Box2 Emitter::box_below(int index, double level) const {
+    const Op& op = at(field_.ops, index);
+    if (!is_warped(index)) return op.bounds.grown(level);
+    const double factor = op.kernels->form == sdf::Form::warp ? op.kernels->factor(field_.params.data() + op.params) : 1;
+    const double reach = reach_of(op);
+    std::vector<Box2> boxes;
+    for (int i = 0; i < op.child_count; ++i) boxes.push_back(box_below(child_of(op, i), level / factor + reach).grown(-reach));
+    return box_over(op, op.local_from_field.inverse(), boxes);
 }
 
 /// Index into Program::materials; the default's when there is no such material.
