@@ -154,33 +154,4 @@ Bvh::Bvh(std::span<const Box2> boxes) {
     for (const Entry& e : entries) order_.push_back(e.id);
 }
 
-void Bvh::refit(std::span<const Box2> boxes) {
-    const auto still = [&](int entry) { return is_searchable(at(boxes, entry)); };
-    const bool same_kind = boxes.size() == order_.size() + unbounded_.size() &&
-                           std::all_of(order_.begin(), order_.end(), still) &&
-                           std::none_of(unbounded_.begin(), unbounded_.end(), still);
-    if (!same_kind) {
-        *this = Bvh(boxes);
-        return;
-    }
-    for (std::size_t i = nodes_.size(); i-- > 0;) {  // children follow their parents
-        TreeNode& node = nodes_[i];
-        const auto first = static_cast<std::size_t>(node.first);
-        if (node.count == 0) {
-            const TreeNode &a = nodes_[first], &b = nodes_[first + 1];
-            node = {std::min(a.lo_x, b.lo_x),
-                    std::min(a.lo_y, b.lo_y),
-                    std::max(a.hi_x, b.hi_x),
-                    std::max(a.hi_y, b.hi_y),
-                    node.first,
-                    0};
-            continue;
-        }
-        Extent extent;
-        for (std::size_t k = first; k < first + static_cast<std::size_t>(node.count); ++k)
-            extent.add(extent_of(at(boxes, order_[k])));
-        node = node_around(extent, node.first, node.count);
-    }
-}
-
 }  // namespace pinfield

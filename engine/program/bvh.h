@@ -15,9 +15,6 @@ public:
     /// Builds over entries 0 ... boxes.size() - 1; infinite boxes are allowed and always visited, empty ones never.
     explicit Bvh(std::span<const Box2> boxes);
 
-    /// New boxes for the same entries: keeps the tree's shape and refits it.
-    void refit(std::span<const Box2> boxes);
-
     /// Calls visit(entry) for entries whose box is nearer to p than `reach`, near boxes first; visit returns the new
     /// reach (at most the old one). Order is a function of the boxes and p alone. A box exactly at reach is still
     /// visited.
