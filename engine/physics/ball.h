@@ -24,6 +24,7 @@ struct Ball {
     BallState state = BallState::rolling;
     LayerMask layer = ground_layer;
     Vec2 start_position{0, 0}, start_velocity{0, 0};  ///< where it is put back
+    int spawn = -1;        ///< the part where that is, by its index in Program::parts; -1: it does not start at a spawn
     double free_path = 0;  ///< metres it may still travel before the next field query
 };
 

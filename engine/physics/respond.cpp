@@ -106,7 +106,8 @@ void scatter(const WorldState& w, Ball& ball, const Contact& c, const MaterialRe
 /// Changes velocities at one contact. True when the contact was closing.
 bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     Ball& ball = w.balls[i];
-    BallWork& work = w.work[i];
+    const BallWork& work = w.work[i];
+    BallMemory& memory = w.memories[i];
     const double r = w.physics.ball_radius;
     const Vec2 n = c.normal, t = perpendicular(n), point = ball.position - r * n;
     SurfaceMotion surface = surface_motion_of(w, c, point, t);
@@ -141,7 +142,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
 
     // Following a hollow in contact is a polygon of short hops; its corners turn the velocity without slowing it.
     const bool follows =
-        impact.collapsed && c.concave_radius > 0 && c.mover < 0 && work.slide_tick >= w.tick - 1 && c.same_surface(work.slide);
+        impact.collapsed && c.concave_radius > 0 && c.mover < 0 && memory.slide_tick >= w.tick - 1 && c.surface() == memory.slide;
     if (follows && impact.hop > 0) {
         const double along = dot(ball.velocity, t), kept = speed_before * speed_before - impact.hop * impact.hop;
         if (kept > along * along) ball.velocity = impact.hop * n + (along < 0 ? -std::sqrt(kept) : std::sqrt(kept)) * t;
@@ -163,8 +164,8 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
         if (surface.yielding > 0) at(w.movers, c.mover).rate -= pull * mass * surface.lever_tangent * surface.yielding;
     }
     if (c.collapsed) {
-        work.slide = c;
-        work.slide_tick = w.tick;
+        memory.slide = c.surface();
+        memory.slide_tick = w.tick;
     } else {
         scatter(w, ball, c, material, work.impacts);
     }
@@ -205,7 +206,7 @@ void gather(WorldState& w, std::size_t i, const Contact& first) {
         take(static_cast<int>(m), pose);
     }
     for (Contact& c : w.contacts)
-        if (c.same_surface(first)) {
+        if (c.surface() == first.surface()) {
             c.normal = first.normal;
             return;
         }
@@ -325,7 +326,7 @@ void restore_gap(WorldState& w, std::size_t i) {
 void respond(WorldState& w, std::size_t i, const Contact& first) {
     gather(w, i, first);
     for (Contact& c : w.contacts)
-        if (c.same_surface(first)) resolve(w, i, c, true);
+        if (c.surface() == first.surface()) resolve(w, i, c, true);
     bool closing = true;
     for (int round = 0; closing && round < most_rounds; ++round) {
         closing = false;

@@ -2,6 +2,8 @@
 
 #include <chrono>
 #include <cmath>
+#include <deque>
+#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
@@ -67,8 +69,12 @@ SimulationSummary simulate(World& world, const SimulationOptions& options) {
     auto input = options.inputs.begin();
     Clock::duration spent{};
     std::int64_t ball_steps = 0;
+    const std::int64_t ticks_until_back = std::llround(options.seconds_until_back / world.step_length());
+    std::deque<std::pair<std::int64_t, BallId>> coming_back;  // by the tick in which they do
     for (std::int64_t k = 0; k < summary.ticks; ++k) {
         for (; input != options.inputs.end() && input->tick <= world.tick(); ++input) world.set_input(input->input, input->value);
+        for (; !coming_back.empty() && coming_back.front().first <= world.tick(); coming_back.pop_front())
+            world.put_back(coming_back.front().second);
         const auto start = Clock::now();
         world.step();
         spent += Clock::now() - start;
@@ -79,7 +85,7 @@ SimulationSummary simulate(World& world, const SimulationOptions& options) {
         for (const Event& event : world.events())
             if (event.kind == EventKind::drain) {
                 ++summary.drained;
-                world.put_back(event.ball);
+                coming_back.push_back({world.tick() + ticks_until_back, event.ball});
             }
     }
     summary.wall_seconds = std::chrono::duration<double>(spent).count();

@@ -26,6 +26,7 @@ public:
 
 struct SimulationOptions {
     double seconds = 10;
+    double seconds_until_back = 1;    ///< that a drained ball stays away
     bool audit = false;
     std::vector<InputChange> inputs;  ///< in order of ticks
     SimulationObserver* observer = nullptr;
@@ -48,7 +49,7 @@ struct SimulationSummary {
     std::optional<AuditReport> audit;
 };
 
-/// Runs round(seconds / step) ticks. A drained ball is counted and put back where it started.
+/// Runs round(seconds / step) ticks. A drained ball is counted and, after a while, put back where it starts.
 SimulationSummary simulate(World& world, const SimulationOptions& options);
 
 }  // namespace pinfield

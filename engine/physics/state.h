@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/physics/mechanisms/mechanism.h"
+#include "engine/physics/persistent_state.h"
 #include "engine/physics/sweep_field.h"
 #include "engine/physics/sweep_mover.h"
 #include "engine/physics/world.h"
@@ -19,7 +20,7 @@ struct Contact {
     int solid = -1, leaf = -1, piece = -1;
     bool collapsed = false;  ///< it no longer bounces: the ball stays on it
 
-    bool same_surface(const Contact& c) const { return mover == c.mover && solid == c.solid && piece == c.piece; }
+    SurfaceRef surface() const { return {mover, solid, piece}; }
 };
 
 /// A ball's place in the tick that is being run.
@@ -29,12 +30,8 @@ struct BallWork {
     int impacts = 0;
     bool frozen = false;         ///< its budget is spent: it stands still until the next tick
     double travelled = 0;        ///< metres, since the tick began
-    Contact slide;               ///< the surface on which it last stopped bouncing
-    std::int64_t slide_tick = -2;
     bool follows = false;        ///< its path bends with something round that it rolls over
-    bool embedded = false;       ///< an edit put it into a solid, and it is being moved out
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
-    bool waiting = false;        ///< to be put back as soon as no mover stands where it starts
 };
 
 /// The earliest events of a ball whose tick is run together with others'.
@@ -61,38 +58,42 @@ struct PreparedProgram {
     std::vector<SweptField> movers;
 };
 
-struct InputEdge {
-    int input = 0;
-    bool pressed = false;
-};
-
-struct WorldState {
+/// What the program and the options come to. It is no state: worlds are compared on one program.
+struct WorldSetup {
     std::shared_ptr<const PreparedProgram> prepared;
-    WorldOptions options;
     PhysicsRecord physics;  ///< the program's, with the options' overrides
     ContactBand band;
-    std::int64_t tick = 0;
-    std::uint32_t next_ball = 1;
-    std::vector<Ball> balls;
-    std::vector<BallWork> work;
-    std::vector<Neighbours> near;  ///< of each ball, in the static field
-    std::vector<MoverState> movers;
-    std::vector<MoverWork> mover_work;
-    std::vector<bool> pressed;
-    std::vector<InputEdge> edges;
+};
+
+/// For whoever watches: what the last tick told, and what was counted. Nothing in a tick reads it.
+struct WorldReport {
     std::vector<Event> events;
     WorldStats stats;
     SweepStats sweeps;
     bool recording = false;
     std::vector<PathSegment> paths;
     std::vector<MoverSegment> mover_paths;
+};
 
-    // Scratch, kept so that the steady state allocates nothing.
+/// Made anew within each tick, and kept only so that the steady state allocates nothing. A snapshot leaves it behind: that a copy
+/// goes on as the original does shows that it decides nothing.
+struct WorldScratch {
+    std::vector<BallWork> work;      ///< one a ball
+    std::vector<MoverWork> mover_work;
     std::vector<Contact> contacts;
     std::vector<Touch> touches;
     std::vector<int> coupled;
-    std::vector<BallPlan> plans;  ///< of the balls in `coupled`, by their index among all
+    std::vector<BallPlan> plans;     ///< of the balls in `coupled`, by their index among all
     std::vector<Ball> balls_before;
+    /// Of each ball, in the static field. It outlasts the tick, as a cache: what a sweep finds has the same bits without it (decision 16).
+    /// (A ball's free_path is no such thing: whether the field is asked at all depends on it, and so does where a budget runs out.)
+    std::vector<Neighbours> near;
+};
+
+struct WorldState : WorldSetup, PersistentState, WorldReport, WorldScratch {
+    WorldState() = default;
+    WorldState(const WorldState& other) : WorldSetup(other), PersistentState(other), WorldReport(other) {}
+    WorldState& operator=(const WorldState&) = delete;
 
     const Program& program() const { return *prepared->program; }
     double start_time() const { return static_cast<double>(tick) * physics.step; }

@@ -34,10 +34,7 @@ void filter_positions(WorldState& w, std::size_t i) {
 
 /// The velocity stage of both integrators; leaves the acceleration of the path in the ball's work.
 void begin_tick(WorldState& w, std::size_t i) {
-    BallWork& work = w.work[i];
-    work.time = work.travelled = 0;
-    work.impacts = 0;
-    work.frozen = work.jammed = work.follows = false;
+    w.work[i] = {};
     Vec2 acceleration = w.physics.gravity;
     filter_accelerations(w, i, acceleration);
     Vec2 velocity = w.balls[i].velocity;
@@ -47,7 +44,7 @@ void begin_tick(WorldState& w, std::size_t i) {
     }
     filter_velocities(w, i, velocity);
     w.balls[i].velocity = velocity;
-    work.acceleration = acceleration;
+    w.work[i].acceleration = acceleration;
 }
 
 double longest_way(const WorldState& w, std::size_t i) {
@@ -71,16 +68,16 @@ void apply_inputs(WorldState& w) {
 }
 
 void drive_movers(WorldState& w) {
+    w.mover_work.assign(w.movers.size(), {});
     for (std::size_t m = 0; m < w.movers.size(); ++m) {
         const Mover& mover = w.program().movers[m];
         const Part& part = at(w.program().parts, mover.part);
         const bool held = std::any_of(part.inputs.begin(), part.inputs.end(),
-                                      [&](int input) { return at(w.pressed, input); });
+                                      [&](int input) { return at(w.pressed, input) != 0; });
         switch_mover(w.movers[m], held);
         if (drive_mover(w.program(), static_cast<int>(m), w.movers[m], w.physics.step))
             w.events.push_back({w.tick, w.start_time(), EventKind::launch, {}, part.origin, mover.pivot, mover.axis,
                                 std::fabs(w.movers[m].rate)});
-        w.mover_work[m] = {};
     }
 }
 
@@ -111,7 +108,7 @@ void rest_or_wake(WorldState& w, std::size_t i) {
     const Ball& before = w.balls_before[i];
     const bool still = ball.velocity.x() == 0 && ball.velocity.y() == 0 && ball.spin == 0 && ball.position == before.position &&
                        before.velocity.x() == 0 && before.velocity.y() == 0;
-    if (ball.state == BallState::rolling && still && w.work[i].slide_tick == w.tick && w.work[i].slide.mover < 0)
+    if (ball.state == BallState::rolling && still && w.memories[i].slide_tick == w.tick && w.memories[i].slide.mover < 0)
         ball.state = BallState::resting;
 }
 
@@ -152,7 +149,7 @@ void run_uncoupled(WorldState& w) {
     bool everybody = false;
     for (std::size_t i = 0; i < w.balls.size() && !everybody; ++i) {
         if (!w.in_play(i)) continue;
-        if (w.work[i].embedded) { depenetrate(w, i); continue; }
+        if (w.memories[i].embedded) { depenetrate(w, i); continue; }
         Ball& ball = w.balls[i];
         const double way = longest_way(w, i);
         if (ball.state == BallState::resting && !pairs) continue;
@@ -168,10 +165,12 @@ void run_uncoupled(WorldState& w) {
             // Ways are bounds only while nothing adds speed: a ball that a kick sends farther starts again among the others.
             const Ball start = ball;
             const BallWork work = w.work[i];
+            const BallMemory memory = w.memories[i];
             const std::size_t events = w.events.size(), paths = w.paths.size();
             if (advance_uncoupled(w, i, way * (1 + 1e-9) + w.band.tolerance)) continue;
             w.balls[i] = start;
             w.work[i] = work;
+            w.memories[i] = memory;
             w.events.resize(events);
             w.paths.resize(paths);
             if (pairs) everybody = true;
@@ -180,12 +179,12 @@ void run_uncoupled(WorldState& w) {
     }
     if (!everybody) return;
     for (std::size_t i = 0; i < w.balls.size(); ++i)
-        if (w.work[i].time > 0 && !w.work[i].embedded) { w.balls[i] = w.balls_before[i]; begin_tick(w, i); }
+        if (w.work[i].time > 0 && !w.memories[i].embedded) { w.balls[i] = w.balls_before[i]; begin_tick(w, i); }
     w.events.erase(std::remove_if(w.events.begin(), w.events.end(), [](const Event& e) { return e.ball.value != 0; }), w.events.end());
     w.paths.clear();
     w.coupled.clear();
     for (std::size_t i = 0; i < w.balls.size(); ++i)
-        if (w.in_play(i) && !w.work[i].embedded) w.coupled.push_back(static_cast<int>(i));
+        if (w.in_play(i) && !w.memories[i].embedded) w.coupled.push_back(static_cast<int>(i));
 }
 
 }  // namespace
@@ -210,7 +209,7 @@ void depenetrate(WorldState& w, std::size_t i) {
     const double missing = r + w.band.target() - gap.distance, size = length(gap.gradient);
     ball.free_path = 0;
     if (missing <= w.band.accepted() || size == 0) {
-        w.work[i].embedded = false;
+        w.memories[i].embedded = false;
         return;
     }
     const Vec2 n = gap.gradient / size;
@@ -226,10 +225,12 @@ void run_tick(WorldState& w) {
     w.events.clear();
     w.paths.clear();
     w.mover_paths.clear();
+    w.work.assign(w.balls.size(), {});
+    w.near.resize(w.balls.size());
     apply_inputs(w);
     drive_movers(w);
     for (std::size_t i = 0; i < w.balls.size(); ++i)
-        if (w.work[i].waiting) try_put_back(w, i);
+        if (w.memories[i].waiting) try_put_back(w, i);
     w.balls_before = w.balls;
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (w.balls[i].state == BallState::jammed) w.balls[i].state = BallState::rolling;  // it tries again

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "engine/core/at.h"
-#include "engine/core/hash.h"
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/parts.h"
@@ -15,7 +14,6 @@ namespace pinfield {
 struct World::State : WorldState {};
 
 namespace {
-
 
 std::vector<SweptField> swept_movers(const Program& program) {
     std::vector<SweptField> swept;
@@ -33,7 +31,6 @@ void take_physics(WorldState& w) {
 void fresh_movers(WorldState& w) {
     w.movers.clear();
     for (std::size_t m = 0; m < w.program().movers.size(); ++m) w.movers.push_back(mover_at_rest(w.program(), static_cast<int>(m)));
-    w.mover_work.assign(w.movers.size(), {});
 }
 
 std::vector<double> places(const WorldState& w) {
@@ -46,7 +43,7 @@ std::vector<double> places(const WorldState& w) {
 void check_embedded(WorldState& w, std::size_t i) {
     const double r = w.physics.ball_radius;
     const Gap gap = gap_at(w.program(), places(w), w.balls[i].position, w.balls[i].layer, 2 * r);
-    w.work[i].embedded = gap.distance < r;
+    w.memories[i].embedded = gap.distance < r;
 }
 
 void place_ball(WorldState& w, std::size_t i, const Vec2& position, const Vec2& velocity) {
@@ -55,13 +52,33 @@ void place_ball(WorldState& w, std::size_t i, const Vec2& position, const Vec2& 
     ball.velocity = velocity;
     ball.spin = ball.free_path = 0;
     ball.state = BallState::rolling;
-    w.work[i] = {};
+    w.memories[i] = {};
     check_embedded(w, i);
 }
 
 std::size_t index_of(const WorldState& w, BallId id) {
     const auto found = std::find_if(w.balls.begin(), w.balls.end(), [&](const Ball& b) { return b.id == id; });
     return static_cast<std::size_t>(found - w.balls.begin());
+}
+
+Vec2 start_velocity_of(const Part& spawn) {
+    const Point<double> velocity = spawn.as<parts::Spawn>().velocity;
+    return spawn.world_from_part.direction({velocity.x, velocity.y});
+}
+
+/// Balls start where their spawns are now; one whose spawn is gone starts where it last was.
+void follow_spawns(WorldState& w, const Program& before) {
+    const std::vector<Part>& parts = w.program().parts;
+    for (Ball& ball : w.balls) {
+        if (ball.spawn < 0) continue;
+        const NodeId origin = at(before.parts, ball.spawn).origin;
+        const auto spawn = std::find_if(parts.begin(), parts.end(),
+                                        [&](const Part& part) { return part.origin == origin && part.is<parts::Spawn>(); });
+        ball.spawn = spawn == parts.end() ? -1 : static_cast<int>(spawn - parts.begin());
+        if (ball.spawn < 0) continue;
+        ball.start_position = spawn->world_from_part.offset;
+        ball.start_velocity = start_velocity_of(*spawn);
+    }
 }
 
 /// Keeps the motion of a mover whose part is still there, within its new end-stops.
@@ -81,8 +98,8 @@ PreparedProgram::PreparedProgram(ProgramPtr from)
 void try_put_back(WorldState& w, std::size_t i) {
     const Ball& ball = w.balls[i];
     const Gap gap = gap_at(w.program(), places(w), ball.start_position, ball.layer, 2 * w.physics.ball_radius);
-    w.work[i].waiting = gap.mover >= 0 && gap.distance < w.physics.ball_radius + w.band.target();
-    if (!w.work[i].waiting) place_ball(w, i, ball.start_position, ball.start_velocity);
+    w.memories[i].waiting = gap.mover >= 0 && gap.distance < w.physics.ball_radius + w.band.target();
+    if (!w.memories[i].waiting) place_ball(w, i, ball.start_position, ball.start_velocity);
 }
 
 std::string_view name(EventKind kind) {
@@ -102,7 +119,7 @@ World::World(ProgramPtr program, WorldOptions options) : state_(std::make_unique
 World::~World() = default;
 World::World(const World& other) : state_(std::make_unique<State>(*other.state_)) {}
 World& World::operator=(const World& other) {
-    *state_ = *other.state_;
+    state_ = std::make_unique<State>(*other.state_);
     return *this;
 }
 World::World(World&&) noexcept = default;
@@ -119,18 +136,18 @@ BallId World::add_ball(const Vec2& position, const Vec2& velocity, double spin) 
     ball.velocity = ball.start_velocity = velocity;
     ball.spin = spin;
     state_->balls.push_back(ball);
-    state_->work.emplace_back();
-    state_->near.emplace_back();
+    state_->memories.emplace_back();
     check_embedded(*state_, state_->balls.size() - 1);
     return ball.id;
 }
 
 void World::add_spawned_balls() {
-    for (const Part& part : program().parts)
-        if (part.is<parts::Spawn>()) {
-            const auto velocity = part.as<parts::Spawn>().velocity;
-            add_ball(part.world_from_part.offset, part.world_from_part.direction({velocity.x, velocity.y}));
-        }
+    for (std::size_t k = 0; k < program().parts.size(); ++k) {
+        const Part& part = program().parts[k];
+        if (!part.is<parts::Spawn>()) continue;
+        add_ball(part.world_from_part.offset, start_velocity_of(part));
+        state_->balls.back().spawn = static_cast<int>(k);
+    }
 }
 
 void World::put_back(BallId id) {
@@ -152,7 +169,7 @@ void World::set_program(ProgramPtr program) {
     for (std::size_t k = 0; k < w.pressed.size(); ++k)
         if (w.pressed[k]) held.push_back(before->program->inputs[k]);
     w.prepared = std::make_shared<const PreparedProgram>(std::move(program));
-    w.near.assign(w.balls.size(), {});
+    w.near.clear();  // its entries are those of the old field
     take_physics(w);
     fresh_movers(w);
     const auto origin = [](const Program& p, std::size_t m) { return at(p.parts, p.movers[m].part).origin; };
@@ -163,11 +180,12 @@ void World::set_program(ProgramPtr program) {
     w.pressed.assign(w.program().inputs.size(), false);
     for (std::size_t k = 0; k < w.pressed.size(); ++k)
         w.pressed[k] = std::find(held.begin(), held.end(), w.program().inputs[k]) != held.end();
+    follow_spawns(w, *before->program);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         Ball& ball = w.balls[i];
         ball.free_path = 0;
         if (ball.state == BallState::resting || ball.state == BallState::jammed) ball.state = BallState::rolling;
-        w.work[i].slide_tick = -2;
+        w.memories[i].slide_tick = -2;
         if (w.in_play(i)) check_embedded(w, i);
     }
 }
@@ -203,20 +221,7 @@ double World::energy() const {
     return sum;
 }
 
-std::uint64_t World::state_hash() const {
-    Hash64 hash;
-    hash.feed(state_->tick);
-    for (const Ball& b : state_->balls)
-        hash.feed(b.id.value)
-            .feed(b.position.x())
-            .feed(b.position.y())
-            .feed(b.velocity.x())
-            .feed(b.velocity.y())
-            .feed(b.spin)
-            .feed(static_cast<int>(b.state));
-    for (const MoverState& m : state_->movers) hash.feed(m.q).feed(m.rate).feed(m.acceleration).feed(m.drive_time);
-    return hash.value();
-}
+std::uint64_t World::state_hash() const { return hash_of(*state_); }
 
 Gap gap_at(const Program& program, std::span<const double> q, const Vec2& p, LayerMask layers, double reach) {
     Gap gap;

@@ -58,7 +58,7 @@ class World {
 public:
     World(ProgramPtr program, WorldOptions options = {});
     ~World();
-    World(const World&);  ///< a snapshot
+    World(const World&);  ///< a snapshot: it goes on as the original does, bit for bit
     World& operator=(const World&);
     World(World&&) noexcept;
     World& operator=(World&&) noexcept;
@@ -78,7 +78,7 @@ public:
     void set_ball(BallId ball, const Vec2& position, const Vec2& velocity);
 
     /// Swaps in an edited program at this step boundary: balls keep rolling, movers keep their state, a ball that now sits in
-    /// a solid is moved out along the gradient at bounded speed, without energy.
+    /// a solid is moved out along the gradient at bounded speed, without energy. Balls start where their spawns are by now.
     void set_program(ProgramPtr program);
 
     const Program& program() const;
@@ -95,7 +95,8 @@ public:
     /// Kinetic + spin + m g y of one ball, J.
     double energy(const Ball& ball) const;
     double energy() const;
-    /// Of tick, balls and movers, bit for bit.
+    /// Of everything that the future depends on, bit for bit, beside the program and the inputs to come: worlds on one program with
+    /// equal hashes stay equal under equal inputs.
     std::uint64_t state_hash() const;
 
     /// Collect the path segments of each tick (cleared at the next one).

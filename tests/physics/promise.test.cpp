@@ -180,6 +180,25 @@ TEST_CASE("a drained ball leaves the game and can be put back") {
     CHECK(world.balls()[0].state == BallState::rolling);
 }
 
+TEST_CASE("a ball is put back where its spawn is by then, and where that last was when it is gone") {
+    const auto table = [](const std::string& spawn) {
+        return program_of(room(1, 1, ", slope: 0", "", "  - drain: {id: d, at: [0.5, 0.05], size: [0.2, 20mm]}\n" + spawn));
+    };
+    World world(table("  - spawn: {id: s, at: [0.5, 0.3], velocity: [0, 1]}\n"));
+    world.add_spawned_balls();
+    const BallId thrown = world.add_ball({0.2, 0.2}, {0, 0});
+    world.set_program(table("  - spawn: {id: s, at: [0.4, 0.35], turn: 90, velocity: [0, 2]}\n"));
+    CHECK(world.balls()[0].position == Vec2(0.5, 0.3));
+    for (int i = 0; i < 2; ++i) {
+        world.put_back(world.balls()[0].id);
+        world.put_back(thrown);
+        CHECK(world.balls()[0].position == Vec2(0.4, 0.35));
+        CHECK(world.balls()[0].velocity == Vec2(-2, 0));
+        CHECK(world.find(thrown)->position == Vec2(0.2, 0.2));
+        world.set_program(table(""));
+    }
+}
+
 TEST_CASE("balls are scattered over free space, and not into a drain") {
     World world(program_of("pinfield: 1\ntable: {size: [0.5, 0.5], slope: 0}\nscene:\n  - circle: {radius: 0.1, at: [0.25, 0.4]}\n"
                            "  - drain: {at: [0.25, 0.1], size: [0.5, 0.2]}\n"));
