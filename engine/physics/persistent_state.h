@@ -54,7 +54,7 @@ template <> inline constexpr int member_count<WorldOptions> = 6;
 template <> inline constexpr int member_count<Ball> = 10;
 template <> inline constexpr int member_count<BallMemory> = 4;
 template <> inline constexpr int member_count<SurfaceRef> = 3;
-template <> inline constexpr int member_count<MoverState> = 11;
+template <> inline constexpr int member_count<MoverState> = 9;
 template <> inline constexpr int member_count<InputEdge> = 2;
 
 /// Calls f with each member of a struct, in order.
@@ -77,13 +77,13 @@ void each_member(T& value, F&& f) {
     } else if constexpr (count == 8) {
         auto& [a, b, c, d, e, g, h, i] = value;
         all(a, b, c, d, e, g, h, i);
-    } else if constexpr (count == 10) {
+    } else if constexpr (count == 9) {
+        auto& [a, b, c, d, e, g, h, i, j] = value;
+        all(a, b, c, d, e, g, h, i, j);
+    } else {
+        static_assert(count == 10, "bind this many members here");
         auto& [a, b, c, d, e, g, h, i, j, k] = value;
         all(a, b, c, d, e, g, h, i, j, k);
-    } else {
-        static_assert(count == 11, "bind this many members here");
-        auto& [a, b, c, d, e, g, h, i, j, k, l] = value;
-        all(a, b, c, d, e, g, h, i, j, k, l);
     }
 }
 

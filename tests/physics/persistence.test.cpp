@@ -93,7 +93,7 @@ TEST_CASE("the smallest change of any one value that persists changes the hash")
             if (done) CHECK(hashes.insert(hash_of(state)).second);
         }
         // Six options, tick and next ball, five lists; of two of each: a ball's 14 numbers, its memory's 6, a mover's 12, an input, an edge's 2.
-        CHECK(changes - 1 == 6 + 3 * other + 2 + 5 + 2 * (14 + 6 + 12 + 1 + 2));
+        CHECK(changes - 1 == 6 + 3 * other + 2 + 5 + 2 * (14 + 6 + 9 + 1 + 2));
     }
 }
 
