@@ -1,12 +1,11 @@
 // The running table: plays a document's scene, takes its edits live. No window, no ImGui.
 #pragma once
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "editor/document.h"
-#include "engine/physics/world.h"
+#include "engine/game/game.h"
 
 namespace pinfield::editor {
 
@@ -31,39 +30,33 @@ public:
     void follow(Document& document);
     const Diagnostics& problems() const { return problems_; }
 
-    /// Runs `ticks` ticks (divided by slow motion) when playing. Counts hits, puts drained balls back after a second.
+    /// Runs `ticks` ticks (divided by slow motion) when playing.
     void advance(int ticks);
     /// An input of the table by its name; one the table does not have is ignored.
     void press(const std::string& input, bool down);
     void release_all();
 
-    const World& world() const { return *world_; }
-    World& world() { return *world_; }
-    const Program& program() const { return world_->program(); }
+    const Game& game() const { return *game_; }
+    const World& world() const { return game_->world(); }
+    const Program& program() const { return world().program(); }
     /// Where the i-th mover is now: its Field's frame -> world.
     Similarity world_from_mover(int mover) const;
-    /// Bumper hits since the last reset, in all and by scene node.
-    int hits() const { return hits_; }
-    int hits_of(NodeId node) const;
-    int drained() const { return drained_; }
+    /// Bumper hits since the last reset.
+    std::int64_t hits() const { return game_->bumper_hits(); }
+    /// Hits of a node and of everything in it since then, bumper or not.
+    std::int64_t hits_of(NodeId node) const { return game_->hits_of(node); }
+    std::int64_t drained() const { return game_->drained(); }
 
 private:
-    void start(ProgramPtr program);
-    void adopt(ProgramPtr program, const Scene& scene);
-    void step();
-    void count_events();
-    void put_balls_back();
+    void start(ProgramPtr program, NodeParents parents);
+    void judge(const Scene& scene);
+    void press_held();
 
-    std::optional<World> world_;
+    std::optional<Game> game_;
     Diagnostics problems_;
     bool stale_ = false;  ///< the running program is not that of the scene: only a full compile can mend it
     bool playing_ = true;
     int slow_motion_ = 1, owed_ticks_ = 0;
-    int hits_ = 0, drained_ = 0;
-    std::map<NodeId, NodeId> bumper_of_;  ///< scene node whose surface it is -> the bumper it belongs to
-    std::map<NodeId, int> hits_by_node_;
-    std::map<BallId, NodeId> spawn_of_;
-    std::map<BallId, std::int64_t> back_at_tick_;
     std::set<std::string> held_;
 };
 

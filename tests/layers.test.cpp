@@ -51,6 +51,7 @@ const std::vector<Row>& layer_table() {
          {"sys/stat.h", "unistd.h", "fcntl.h"}},
         {"engine/program/", {"engine/core/", "engine/reflect/", "engine/sdf/", "engine/scene/"}, {"Eigen/", "xsimd/"}},
         {"engine/physics/", {"engine/core/", "engine/program/", "engine/scene/parts/", "engine/sdf/piece.h"}, {"Eigen/"}},
+        {"engine/game/", {"engine/core/", "engine/scene/", "engine/program/", "engine/physics/"}, {}},
         {"engine/rules/", {"engine/core/", "engine/reflect/", "engine/scene/", "engine/physics/"}, {}},
         {"engine/cli/", whole_engine, {"Eigen/", "CLI/"}},
         {"editor/", whole_engine, {"Eigen/"}},

@@ -15,8 +15,8 @@
 #include "engine/cli/table.h"
 #include "engine/core/at.h"
 #include "engine/core/hash.h"
+#include "engine/game/simulation.h"
 #include "engine/physics/scatter.h"
-#include "engine/physics/simulation.h"
 
 namespace pinfield::cli {
 namespace {
@@ -137,18 +137,18 @@ void run(const Options& options) {
         refuse_overwriting(output, {options.file, options.inputs});
     refuse_sharing(options.trace, options.events);
     const Table table = open_table(options.file);
-    World world = world_of(table, options);
+    Game game(world_of(table, options), parents_of(table.scene));
     Recorder recorder(table.scene, options.trace, options.events);
     SimulationOptions how;
     how.seconds = options.seconds.value_or(10);
     how.audit = options.audit;
     how.inputs = read_inputs(options.inputs, *table.program);
     how.observer = &recorder;
-    recorder.start(world);
-    const SimulationSummary summary = simulate(world, how);
+    recorder.start(game.world());
+    const SimulationSummary summary = simulate(game, how);
     recorder.finish();
     const std::string name = table.program->name.empty() ? options.file : table.program->name;
-    print(options.json ? json_of(summary, name).text() + "\n" : text_of(summary, name, world.step_length()));
+    print(options.json ? json_of(summary, name).text() + "\n" : text_of(summary, name, game.world().step_length()));
 }
 
 /// CLI11 would wrap a sign and saturate what is too large.

@@ -2,14 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 
 #include "engine/cli/command.h"
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
 #include "engine/core/numbers.h"
-#include "engine/physics/simulation.h"
+#include "engine/game/simulation.h"
 
 namespace pinfield::cli {
 namespace {
@@ -17,30 +16,6 @@ namespace {
 struct Options {
     std::string file;
     bool json = false;
-};
-
-/// Counts what hit which node.
-class HitCounter : public SimulationObserver {
-public:
-    explicit HitCounter(const Scene& scene) : scene_(scene) {}
-
-    void after_tick(const World& world) override {
-        for (const Event& event : world.events())
-            if (event.kind == EventKind::hit) ++hits_[event.node];
-    }
-
-    /// Hits of a node and of everything in it: a hit names the shape that was touched.
-    std::int64_t hits(NodeId node) const {
-        std::int64_t sum = 0;
-        for (const auto& [touched, count] : hits_)
-            for (const Node* at = scene_.find(touched); at; at = scene_.find(at->parent))
-                if (at->id == node) sum += count;
-        return sum;
-    }
-
-private:
-    const Scene& scene_;
-    std::map<NodeId, std::int64_t> hits_;
 };
 
 struct Verdict {
@@ -58,26 +33,25 @@ bool compare(double a, const std::string& comparison, double b) {
 }
 
 /// Value of `escaped`, `drained` or `<id>.hits`: what the reader lets pass.
-double measure(const std::string& quantity, const SimulationSummary& summary, const HitCounter& counter, const Scene& scene) {
+double measure(const std::string& quantity, const SimulationSummary& summary, const Game& game, const Scene& scene) {
     if (quantity == "escaped") return summary.escaped;
     if (quantity == "drained") return static_cast<double>(summary.drained);
     const Node* node = scene.find(std::string_view(quantity).substr(0, quantity.rfind('.')));
-    return node ? static_cast<double>(counter.hits(node->id)) : 0;
+    return node ? static_cast<double>(game.hits_of(node->id)) : 0;
 }
 
 Verdict judge(const Table& table, const TableTest& test, std::size_t index) {
     World world(table.program);
     for (const TableTest::Launch& launch : test.launches) world.add_ball(launch.at, launch.velocity);
     if (test.launches.empty()) world.add_spawned_balls();
-    HitCounter counter(table.scene);
+    Game game(std::move(world), parents_of(table.scene));
     SimulationOptions how;
     how.seconds = test.run;
-    how.observer = &counter;
-    const SimulationSummary summary = simulate(world, how);
+    const SimulationSummary summary = simulate(game, how);
 
     Verdict verdict{test.name.empty() ? fmt::format("test {}", index + 1) : test.name, {}};
     for (const TableTest::Expectation& expected : test.expectations) {
-        const double found = measure(expected.quantity, summary, counter, table.scene);
+        const double found = measure(expected.quantity, summary, game, table.scene);
         if (compare(found, expected.comparison, expected.value)) continue;
         const LineColumn place = table.scene.sources.line_column(expected.where);
         verdict.failures.push_back(fmt::format("{}:{}:{}: expected {}, but {} is {}", table.scene.sources.main().name(), place.line, place.column,

@@ -4,6 +4,7 @@
 
 #include "engine/cli/json.h"
 #include "engine/cli/table.h"
+#include "engine/core/at.h"
 
 namespace pinfield::cli {
 
@@ -16,7 +17,7 @@ Recorder::Recorder(const Scene& scene, const std::string& trace_path, const std:
 void Recorder::after_tick(const World& world) {
     trace(world);
     if (!events_) return;
-    for (const Event& event : world.events()) log(event);
+    for (const Event& event : world.events()) log(event, world.program());
 }
 
 void Recorder::finish() {
@@ -31,18 +32,20 @@ void Recorder::trace(const World& world) {
                                   ball.position.y(), ball.velocity.x(), ball.velocity.y(), ball.spin));
 }
 
-void Recorder::log(const Event& event) {
+void Recorder::log(const Event& event, const Program& program) {
     JsonObject line;
+    const auto add_name = [&](std::string_view key, const std::string& name) {
+        name.empty() ? line.add_raw(key, "null") : line.add(key, name);
+    };
     line.add("tick", event.tick).add("time", event.time);
     if (event.ball)
         line.add("ball", event.ball.value);
     else
         line.add_raw("ball", "null");
     line.add("kind", name(event.kind));
-    if (event.node)
-        line.add("node", name_of(scene_, event.node));
-    else
-        line.add_raw("node", "null");
+    add_name("node", event.node ? name_of(scene_, event.node) : "");
+    add_name("part", event.part >= 0 ? at(program.parts, event.part).name : "");
+    add_name("material", event.material >= 0 ? at(program.materials, event.material).name : "");
     line.add("x", event.position.x()).add("y", event.position.y());
     line.add("nx", event.normal.x()).add("ny", event.normal.y()).add("speed", event.speed);
     events_->write(line.text() + "\n");

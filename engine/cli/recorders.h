@@ -4,7 +4,7 @@
 #include <string>
 
 #include "engine/cli/output.h"
-#include "engine/physics/simulation.h"
+#include "engine/game/simulation.h"
 #include "engine/scene/scene.h"
 
 namespace pinfield::cli {
@@ -21,7 +21,7 @@ public:
 
 private:
     void trace(const World& world);
-    void log(const Event& event);
+    void log(const Event& event, const Program& program);
 
     const Scene& scene_;
     std::optional<Output> trace_, events_;

@@ -183,11 +183,9 @@ private:
         const double speed = std::fabs(s.rate) * (mover.slides ? 1.0 : mover.bounding_radius);
         hit_end_stop(w_.program(), static_cast<int>(m), s, h_);
         if (++w_.mover_work[m].stops > most_impacts) stall(m);
-        if (speed > 10 * w_.physics.rest_speed) {
-            const Part& part = at(w_.program().parts, w_.program().movers[m].part);
-            w_.events.push_back(
-                {w_.tick, w_.start_time() + time, EventKind::end_stop, {}, part.origin, w_.program().movers[m].pivot, {0, 0}, speed});
-        }
+        if (speed > 10 * w_.physics.rest_speed)
+            w_.events.push_back({w_.tick, w_.start_time() + time, EventKind::end_stop, {}, at(w_.program().parts, mover.part).origin,
+                                 mover.pivot, {0, 0}, speed, mover.part});
         replan_mover(m);
     }
 
@@ -248,9 +246,10 @@ private:
         }
         const bool jams = w_.movers[m].inverse_inertia == 0 && !w_.work[i].jammed;
         w_.work[i].jammed = w_.work[i].jammed || jams;
+        const int part = w_.program().movers[m].part;
         if (jams && w_.balls_before[i].state != BallState::jammed)
             w_.events.push_back({w_.tick, w_.start_time() + w_.work[i].time, EventKind::jam, w_.balls[i].id,
-                                 at(w_.program().parts, w_.program().movers[m].part).origin, w_.balls[i].position, {0, 0}, 0});
+                                 at(w_.program().parts, part).origin, w_.balls[i].position, {0, 0}, 0, part});
         stall(m);
         replan_mover(m);
     }

@@ -17,12 +17,20 @@ struct Event {
     double time = 0;        ///< seconds since the start
     EventKind kind = EventKind::hit;
     BallId ball;            ///< none for events without a ball
-    NodeId node;            ///< what was hit: the winning leaf's scene node, or the part
+    NodeId node;            ///< what was hit: the part's scene node, or where there is none the winning leaf's; none for ball_hit, quarantine
     Vec2 position{0, 0};    ///< contact point, or the ball's centre
     Vec2 normal{0, 0};      ///< unit, from the surface to the ball
     /// m/s. hit, ball_hit: normal approach speed. kick: what the part adds along the normal. end_stop: of the part's farthest point as it
-    /// meets the stop. launch: of the rod when it is let go. 0 for the others.
+    /// meets the stop. launch: of the rod when it is let go. drain: of the ball. 0 for the others.
     double speed = 0;
+    /// The part that it is about, by its index in Program::parts. hit, kick: whose surface it is, the domain being a part too; drain: the
+    /// drain; press, release: the part that the input works; end_stop, launch: the part that moves; jam: the one that presses. -1: none.
+    int part = -1;
+    /// hit, kick: what the surface is made of there, by its index in Program::materials. -1 for the others.
+    int material = -1;
 };
+
+/// As many as EventKind has.
+inline constexpr int event_kinds = static_cast<int>(EventKind::jam) + 1;
 
 }  // namespace pinfield

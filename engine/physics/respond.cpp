@@ -19,22 +19,17 @@ constexpr double steepest_hop = 0.1; // its normal speed per speed along the hol
 
 /// What the surface of a contact is made of, and to whom it belongs.
 struct Surface {
-    const MaterialRecord* material = nullptr;
-    const Part* part = nullptr;
+    int part = -1, material = 0;  ///< indices into the program's
     NodeId node;
 };
 
 Surface surface_of(const WorldState& w, const Contact& c) {
     const Program& program = w.program();
     const Field& field = c.mover < 0 ? program.fixed : at(program.movers, c.mover).field;
-    Surface s;
     const Solid& solid = at(field.solids, c.solid);
+    const Op& op = at(field.ops, c.leaf >= 0 ? c.leaf : solid.root);
     const int part = c.mover < 0 ? solid.part : at(program.movers, c.mover).part;
-    const int op = c.leaf >= 0 ? c.leaf : solid.root;
-    s.material = &at(program.materials, at(field.ops, op).material);
-    if (part >= 0) s.part = &at(program.parts, part);
-    s.node = s.part ? s.part->origin : at(field.ops, op).origin;
-    return s;
+    return {part, op.material, part >= 0 ? at(program.parts, part).origin : op.origin};
 }
 
 /// How a surface moves at the contact, and how it yields to an impulse.
@@ -116,7 +111,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     if (normal >= 0 && !forced) return false;
     if (!forced && -normal <= 1e-13 * (length(ball.velocity) + length(surface.velocity))) return false;
     const Surface of = surface_of(w, c);
-    const MaterialRecord& material = *of.material;
+    const MaterialRecord& material = at(w.program().materials, of.material);
     const Impact impact = judge(w, work, c, material, surface, -normal, dot(relative, t));
     c.collapsed = impact.collapsed;
     ++w.stats.impacts;
@@ -171,11 +166,11 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     }
     if (impact.collapsed && impact.approach <= w.physics.rest_speed) return true;
     const double time = w.start_time() + work.time;
-    w.events.push_back({w.tick, time, EventKind::hit, ball.id, of.node, point, n, impact.approach});
-    const double kick = of.part && !w.options.restitution ? kick_of(*of.part, impact.approach) : 0.0;
+    w.events.push_back({w.tick, time, EventKind::hit, ball.id, of.node, point, n, impact.approach, of.part, of.material});
+    const double kick = of.part >= 0 && !w.options.restitution ? kick_of(at(w.program().parts, of.part), impact.approach) : 0.0;
     if (kick > 0) {
         ball.velocity += kick * n;
-        w.events.push_back({w.tick, time, EventKind::kick, ball.id, of.node, point, n, kick});
+        w.events.push_back({w.tick, time, EventKind::kick, ball.id, of.node, point, n, kick, of.part, of.material});
     }
     return true;
 }
@@ -244,7 +239,7 @@ struct Grip {
 
 Grip grip_of(const WorldState& w, const Contact& c) {
     if (w.options.restitution) return {*w.options.restitution >= 1, false};
-    const MaterialRecord& material = *surface_of(w, c).material;
+    const MaterialRecord& material = at(w.program().materials, surface_of(w, c).material);
     return {material.restitution >= 1, material.friction > 0 && material.tangential < 1};
 }
 

@@ -54,14 +54,13 @@ double longest_way(const WorldState& w, std::size_t i) {
 
 void apply_inputs(WorldState& w) {
     for (const InputEdge& edge : w.edges) {
-        if (edge.input < 0 || static_cast<std::size_t>(edge.input) >= w.pressed.size()) continue;
         if (at(w.pressed, edge.input) == edge.pressed) continue;
         at(w.pressed, edge.input) = edge.pressed;
         for (const Mover& mover : w.program().movers) {
             const Part& part = at(w.program().parts, mover.part);
             if (std::find(part.inputs.begin(), part.inputs.end(), edge.input) == part.inputs.end()) continue;
             w.events.push_back({w.tick, w.start_time(), edge.pressed ? EventKind::press : EventKind::release, {}, part.origin,
-                                mover.pivot, {0, 0}, 0});
+                                mover.pivot, {0, 0}, 0, mover.part});
         }
     }
     w.edges.clear();
@@ -77,7 +76,7 @@ void drive_movers(WorldState& w) {
         switch_mover(w.movers[m], held);
         if (drive_mover(w.program(), static_cast<int>(m), w.movers[m], w.physics.step))
             w.events.push_back({w.tick, w.start_time(), EventKind::launch, {}, part.origin, mover.pivot, mover.axis,
-                                std::fabs(w.movers[m].rate)});
+                                std::fabs(w.movers[m].rate), mover.part});
     }
 }
 
@@ -128,7 +127,7 @@ void check_drains(WorldState& w, std::size_t i) {
             if (!drains(w.program(), sensor, p)) continue;
             ball.state = BallState::drained;
             w.events.push_back({w.tick, w.start_time() + w.physics.step, EventKind::drain, ball.id,
-                                at(w.program().parts, sensor.part).origin, p, {0, 0}, length(ball.velocity)});
+                                at(w.program().parts, sensor.part).origin, p, {0, 0}, length(ball.velocity), sensor.part});
             return;
         }
     }

@@ -61,6 +61,29 @@ std::size_t index_of(const WorldState& w, BallId id) {
     return static_cast<std::size_t>(found - w.balls.begin());
 }
 
+/// What an input will be once the edges that wait are applied.
+bool will_be_pressed(const WorldState& w, int input) {
+    bool pressed = at(w.pressed, input) != 0;
+    for (const InputEdge& edge : w.edges)
+        if (edge.input == input) pressed = edge.pressed;
+    return pressed;
+}
+
+/// Inputs and the edges that wait are known by name from one program to the next; those of inputs that are gone go.
+void keep_inputs(WorldState& w, const Program& before) {
+    const std::vector<std::string>& inputs = w.program().inputs;
+    const auto now = [&](int input) {
+        const auto found = std::find(inputs.begin(), inputs.end(), at(before.inputs, input));
+        return found == inputs.end() ? -1 : static_cast<int>(found - inputs.begin());
+    };
+    std::vector<std::uint8_t> pressed(inputs.size(), 0);
+    for (int k = 0; k < static_cast<int>(before.inputs.size()); ++k)
+        if (const int input = now(k); input >= 0) at(pressed, input) = at(w.pressed, k);
+    w.pressed = std::move(pressed);
+    for (InputEdge& edge : w.edges) edge.input = now(edge.input);
+    std::erase_if(w.edges, [](const InputEdge& edge) { return edge.input < 0; });
+}
+
 Vec2 start_velocity_of(const Part& spawn) {
     const Point<double> velocity = spawn.as<parts::Spawn>().velocity;
     return spawn.world_from_part.direction({velocity.x, velocity.y});
@@ -127,7 +150,13 @@ World& World::operator=(World&&) noexcept = default;
 
 void World::step() { run_tick(*state_); }
 
-void World::set_input(int input, double value) { state_->edges.push_back({input, value > 0}); }
+bool World::set_input(int input, double value) {
+    State& w = *state_;
+    const bool pressed = value > 0;
+    if (input < 0 || input >= static_cast<int>(w.pressed.size()) || will_be_pressed(w, input) == pressed) return false;
+    w.edges.push_back({input, pressed});
+    return true;
+}
 
 BallId World::add_ball(const Vec2& position, const Vec2& velocity, double spin) {
     Ball ball;
@@ -165,11 +194,9 @@ void World::set_program(ProgramPtr program) {
     State& w = *state_;
     const auto before = w.prepared;  // keeps the old program alive while its movers are matched
     const std::vector<MoverState> movers = w.movers;
-    std::vector<std::string> held;
-    for (std::size_t k = 0; k < w.pressed.size(); ++k)
-        if (w.pressed[k]) held.push_back(before->program->inputs[k]);
     w.prepared = std::make_shared<const PreparedProgram>(std::move(program));
-    w.near.clear();  // its entries are those of the old field
+    w.near.clear();    // its entries are those of the old field
+    w.events.clear();  // their indices are those of the old program
     take_physics(w);
     fresh_movers(w);
     const auto origin = [](const Program& p, std::size_t m) { return at(p.parts, p.movers[m].part).origin; };
@@ -177,9 +204,7 @@ void World::set_program(ProgramPtr program) {
         for (std::size_t k = 0; k < movers.size(); ++k)
             if (origin(w.program(), m) == origin(*before->program, k) && w.program().movers[m].slides == before->program->movers[k].slides)
                 keep_motion(w.movers[m], movers[k]);
-    w.pressed.assign(w.program().inputs.size(), false);
-    for (std::size_t k = 0; k < w.pressed.size(); ++k)
-        w.pressed[k] = std::find(held.begin(), held.end(), w.program().inputs[k]) != held.end();
+    keep_inputs(w, *before->program);
     follow_spawns(w, *before->program);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         Ball& ball = w.balls[i];

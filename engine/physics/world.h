@@ -66,8 +66,9 @@ public:
     /// One tick.
     void step();
 
-    /// Input i of Program::inputs is pressed (value > 0) or released from the next tick on.
-    void set_input(int input, double value);
+    /// Input i of Program::inputs is pressed (value > 0) or released from the next tick on. False when that changes nothing, or the
+    /// table has no such input.
+    bool set_input(int input, double value);
     /// Adds a ball; it starts again here after a drain when put back.
     BallId add_ball(const Vec2& position, const Vec2& velocity, double spin = 0);
     /// Adds one ball per spawn of the table.
@@ -78,7 +79,7 @@ public:
     void set_ball(BallId ball, const Vec2& position, const Vec2& velocity);
 
     /// Swaps in an edited program at this step boundary: balls keep rolling, movers keep their state, a ball that now sits in
-    /// a solid is moved out along the gradient at bounded speed, without energy. Balls start where their spawns are by now.
+    /// a solid is moved out along the gradient at bounded speed, without energy. Balls start where their spawns are by now; inputs stay pressed, by their names.
     void set_program(ProgramPtr program);
 
     const Program& program() const;
@@ -89,7 +90,7 @@ public:
     std::span<const Ball> balls() const;
     const Ball* find(BallId ball) const;
     std::span<const MoverState> movers() const;
-    /// Events of the last tick, in order.
+    /// Events of the last tick, in order; none after a change of the program, whose parts and materials they index.
     std::span<const Event> events() const;
     const WorldStats& stats() const;
     /// Kinetic + spin + m g y of one ball, J.

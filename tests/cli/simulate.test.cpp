@@ -100,12 +100,15 @@ TEST_CASE("events are one JSON object a line") {
     std::map<std::string, int> counted;
     for (const std::string& line : lines) {
         const json event = json::parse(line);
-        for (const char* key : {"tick", "time", "ball", "kind", "node", "x", "y", "nx", "ny", "speed"}) CHECK(event.contains(key));
+        for (const char* key : {"tick", "time", "ball", "kind", "node", "part", "material", "x", "y", "nx", "ny", "speed"}) CHECK(event.contains(key));
         ++counted[event["kind"].get<std::string>()];
     }
     CHECK(json(counted) == summary["events"]);
     const json first = json::parse(lines[0]);
     CHECK(first["kind"] == "hit");
+    CHECK(first["node"] == "domain[0]");
+    CHECK(first["part"] == "domain[0]");
+    CHECK(first["material"] == "default");
     CHECK(first["nx"].get<double>() == Approx(0).margin(1e-12));
     CHECK(first["ny"].get<double>() == Approx(1));
     CHECK(first["speed"].get<double>() == Approx(std::sqrt(2 * 9.81 * (0.5 - 0.0135))).epsilon(1e-6));

@@ -8,9 +8,9 @@
 #include <string>
 
 #include "engine/core/at.h"
+#include "engine/game/simulation.h"
 #include "engine/io/load_table.h"
 #include "engine/physics/scatter.h"
-#include "engine/physics/simulation.h"
 #include "engine/program/compile.h"
 #include "engine/program/evaluate.h"
 #include "engine/scene/catalog.h"
@@ -91,7 +91,8 @@ TEST_CASE("twenty balls that walk the gallery pass through no exhibit") {
         how.seed = seed;
         World world(gallery.program, how);
         REQUIRE(scatter_balls(world, 20, 2, seed) == 20);
-        const SimulationSummary summary = simulate(world, {.seconds = 4, .audit = true, .inputs = {}});
+        Game game(std::move(world));
+        const SimulationSummary summary = simulate(game, {.seconds = 4, .audit = true, .inputs = {}});
         CHECK(summary.finite);
         CHECK(summary.escaped == 0);
         CHECK(summary.max_penetration < 1e-6);

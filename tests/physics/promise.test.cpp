@@ -1,8 +1,8 @@
 // The promise: no ball ever passes through a solid, at any speed; energy is exact.
 #include "engine/core/trig.h"
+#include "engine/game/simulation.h"
 #include "engine/physics/bench.h"
 #include "engine/physics/scatter.h"
-#include "engine/physics/simulation.h"
 #include "engine/scene/playfield.h"
 #include "tests/physics/support.h"
 
@@ -30,7 +30,8 @@ SimulationSummary soak(const ProgramPtr& program, int balls, double seconds, dou
     for (std::int64_t t = 0; beating && t < ticks; ++t)
         for (int i = 0; i < static_cast<int>(program->inputs.size()); ++i)
             if ((t + 7 * i) % 60 == 0) run.inputs.push_back({t, i, (t + 7 * i) / 60 % 2 ? 0.0 : 1.0});
-    return simulate(world, run);
+    Game game(std::move(world));
+    return simulate(game, run);
 }
 
 void check_clean(const SimulationSummary& s) {

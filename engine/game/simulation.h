@@ -5,17 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "engine/game/game.h"
 #include "engine/physics/audit.h"
-#include "engine/physics/world.h"
 
 namespace pinfield {
-
-/// An input changes at the start of this tick.
-struct InputChange {
-    std::int64_t tick = 0;
-    int input = 0;     ///< index into Program::inputs
-    double value = 0;  ///< > 0: pressed
-};
 
 /// Watches a run: traces, event logs.
 class SimulationObserver {
@@ -26,13 +19,10 @@ public:
 
 struct SimulationOptions {
     double seconds = 10;
-    double seconds_until_back = 1;    ///< that a drained ball stays away
     bool audit = false;
     std::vector<InputChange> inputs;  ///< in order of ticks
     SimulationObserver* observer = nullptr;
 };
-
-inline constexpr int event_kinds = static_cast<int>(EventKind::jam) + 1;
 
 struct SimulationSummary {
     std::int64_t ticks = 0;
@@ -44,12 +34,12 @@ struct SimulationSummary {
     double max_penetration = 0;        ///< metres, at the ends of ticks
     double energy_first = 0, energy_last = 0;        ///< J, of all balls
     std::array<std::int64_t, event_kinds> events{};  ///< by EventKind
-    std::uint64_t state_hash = 0;
+    std::uint64_t state_hash = 0;      ///< of the world
     bool finite = true;                ///< no ball was quarantined
     std::optional<AuditReport> audit;
 };
 
-/// Runs round(seconds / step) ticks. A drained ball is counted and, after a while, put back where it starts.
-SimulationSummary simulate(World& world, const SimulationOptions& options);
+/// Runs round(seconds / step) ticks.
+SimulationSummary simulate(Game& game, const SimulationOptions& options);
 
 }  // namespace pinfield

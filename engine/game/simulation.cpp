@@ -1,9 +1,7 @@
-#include "engine/physics/simulation.h"
+#include "engine/game/simulation.h"
 
 #include <chrono>
 #include <cmath>
-#include <deque>
-#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
@@ -30,11 +28,7 @@ class Referee {
 public:
     Referee(const World& world, SimulationSummary& summary) : summary_(summary), escaped_(world.balls().size(), false) {}
 
-    void after_tick(World& world) {
-        for (const Event& event : world.events()) {
-            ++at(summary_.events, event.kind);
-            if (event.kind == EventKind::quarantine) summary_.finite = false;
-        }
+    void after_tick(const World& world) {
         const double r = world.program().physics.ball_radius;
         for (const MoverState& s : world.movers()) q_.push_back(s.q);
         for (std::size_t i = 0; i < world.balls().size(); ++i) {
@@ -58,42 +52,38 @@ private:
 
 }  // namespace
 
-SimulationSummary simulate(World& world, const SimulationOptions& options) {
+SimulationSummary simulate(Game& game, const SimulationOptions& options) {
+    const World& world = game.world();
     SimulationSummary summary;
     summary.ticks = std::llround(options.seconds / world.step_length());
     summary.balls = static_cast<int>(world.balls().size());
     summary.energy_first = world.energy();
-    world.record_paths(options.audit);
+    game.record_paths(options.audit);
+    const auto before = game.events();
     Auditor auditor;
     Referee referee(world, summary);
     auto input = options.inputs.begin();
     Clock::duration spent{};
     std::int64_t ball_steps = 0;
-    const std::int64_t ticks_until_back = std::llround(options.seconds_until_back / world.step_length());
-    std::deque<std::pair<std::int64_t, BallId>> coming_back;  // by the tick in which they do
     for (std::int64_t k = 0; k < summary.ticks; ++k) {
-        for (; input != options.inputs.end() && input->tick <= world.tick(); ++input) world.set_input(input->input, input->value);
-        for (; !coming_back.empty() && coming_back.front().first <= world.tick(); coming_back.pop_front())
-            world.put_back(coming_back.front().second);
+        for (; input != options.inputs.end() && input->tick <= world.tick(); ++input) game.set_input(input->input, input->value);
         const auto start = Clock::now();
-        world.step();
+        game.step();
         spent += Clock::now() - start;
         ball_steps += static_cast<std::int64_t>(world.balls().size());
         referee.after_tick(world);
         if (options.audit) auditor.after_tick(world);
         if (options.observer) options.observer->after_tick(world);
-        for (const Event& event : world.events())
-            if (event.kind == EventKind::drain) {
-                ++summary.drained;
-                coming_back.push_back({world.tick() + ticks_until_back, event.ball});
-            }
     }
+    for (int kind = 0; kind < event_kinds; ++kind) at(summary.events, kind) = at(game.events(), kind) - at(before, kind);
+    summary.drained = at(summary.events, EventKind::drain);
+    summary.finite = at(summary.events, EventKind::quarantine) == 0;
     summary.wall_seconds = std::chrono::duration<double>(spent).count();
     summary.ball_steps_per_second = summary.wall_seconds > 0 ? static_cast<double>(ball_steps) / summary.wall_seconds : 0;
     summary.energy_last = world.energy();
     summary.state_hash = world.state_hash();
     if (options.audit) summary.audit = auditor.report();
-    world.record_paths(false);
+    game.record_paths(false);
     return summary;
 }
 

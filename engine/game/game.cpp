@@ -1,0 +1,79 @@
+#include "engine/game/game.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/at.h"
+#include "engine/core/hash.h"
+#include "engine/scene/parts/bumper.h"
+
+namespace pinfield {
+
+NodeParents parents_of(const Scene& scene) {
+    NodeParents parents;
+    for (const NodeId id : scene.all())
+        if (const NodeId parent = scene.find(id)->parent) parents[id] = parent;
+    return parents;
+}
+
+Game::Game(World world, NodeParents parents, GameOptions options)
+    : world_(std::move(world)), parents_(std::move(parents)), options_(options) {}
+
+void Game::step() {
+    put_balls_back();
+    world_.step();
+    count_events();
+}
+
+void Game::set_input(int input, double value) {
+    if (world_.set_input(input, value)) input_log_.push_back({world_.tick(), input, value});
+}
+
+void Game::set_program(ProgramPtr program, NodeParents parents) {
+    set_program(std::move(program));
+    parents_ = std::move(parents);
+}
+
+void Game::put_balls_back() {
+    for (const Return& due : returns_)
+        if (due.tick <= world_.tick()) world_.put_back(due.ball);
+    std::erase_if(returns_, [&](const Return& due) { return due.tick <= world_.tick(); });
+}
+
+void Game::count_events() {
+    touched_.clear();
+    for (const Event& event : world_.events()) {
+        ++at(events_, event.kind);
+        if (event.kind == EventKind::drain)
+            returns_.push_back({world_.tick() + std::llround(options_.seconds_until_back / world_.step_length()), event.ball});
+        if (event.kind != EventKind::hit && event.kind != EventKind::kick) continue;
+        bool is_bumper = event.part >= 0 && at(world_.program().parts, event.part).is<parts::Bumper>();
+        for (NodeId node = event.node; node; is_bumper = false) {
+            touched_.push_back({event.ball, node, is_bumper});
+            const auto parent = parents_.find(node);
+            node = parent == parents_.end() ? NodeId{} : parent->second;
+        }
+    }
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    for (const Touched& touched : touched_) {
+        ++hits_[touched.node];
+        bumper_hits_ += touched.is_bumper;
+    }
+}
+
+std::int64_t Game::hits_of(NodeId node) const {
+    const auto found = hits_.find(node);
+    return found == hits_.end() ? 0 : found->second;
+}
+
+std::uint64_t Game::state_hash() const {
+    Hash64 hash;
+    hash.feed(world_.state_hash()).feed(returns_.size());
+    for (const Return& due : returns_) hash.feed(due.tick).feed(due.ball.value);
+    for (const std::int64_t count : events_) hash.feed(count);
+    for (const auto& [node, count] : hits_) hash.feed(node.value).feed(count);
+    return hash.feed(bumper_hits_).value();
+}
+
+}  // namespace pinfield

@@ -1,0 +1,94 @@
+// Events say which part and which surface they are about.
+#include <vector>
+
+#include "engine/core/at.h"
+#include "tests/physics/support.h"
+
+using namespace pinfield;
+using namespace pinfield::physics_test;
+
+namespace {
+
+/// The first event of this kind within two seconds.
+Event first(World& world, EventKind kind) {
+    for (int t = 0; t < 2000; ++t) {
+        world.step();
+        for (const Event& event : world.events())
+            if (event.kind == kind) return event;
+    }
+    FAIL("no " << name(kind));
+    return {};
+}
+
+std::string part_of(const World& world, const Event& event) {
+    return event.part < 0 ? "" : at(world.program().parts, event.part).name;
+}
+std::string material_of(const World& world, const Event& event) {
+    return event.material < 0 ? "" : at(world.program().materials, event.material).name;
+}
+
+const std::string table =
+    "pinfield: 1\ntable: {size: [1, 1], slope: 0}\ninputs: {left: [Z], plunge: [Space]}\n"
+    "materials: {rubber: {restitution: 0.8}, steel: {restitution: 0.5}}\nscene:\n"
+    "  - domain: {id: air, material: steel, children: [box: {size: [1, 1], at: [0.5, 0.5]}]}\n"
+    "  - bumper: {id: pop, at: [0.2, 0.5], radius: 24mm, material: rubber}\n  - circle: {id: plain, at: [0.5, 0.5], radius: 24mm}\n"
+    "  - union: {id: pair, at: [0.5, 0.8], material: rubber, children: [box: {size: [40mm, 40mm]}, circle: {id: knob, radius: 10mm, at: "
+    "[0.1, 0], material: steel}]}\n"
+    "  - flipper: {id: bat, at: [0.75, 0.5], rest: 0, material: rubber, input: [left]}\n"
+    "  - plunger: {id: rod, at: [0.5, 0.2], input: [plunge]}\n  - drain: {id: out, at: [0.2, 0.1], size: [0.1, 0.1]}\n";
+
+}  // namespace
+
+TEST_CASE("a hit and a kick name the part and the material of the surface, down to the leaf") {
+    struct Case {
+        Vec2 from;
+        std::string part, material;
+    };
+    const std::vector<Case> cases{{{0.2, 0.56}, "pop", "rubber"}, {{0.5, 0.56}, "", "default"}, {{0.5, 0.86}, "", "rubber"},
+                                  {{0.6, 0.86}, "", "steel"},     {{0.8, 0.56}, "bat", "rubber"}, {{0.5, 0.26}, "rod", "default"},
+                                  {{0.95, 0.1}, "air", "steel"}};
+    for (const Case& expected : cases) {
+        World world(program_of(table));
+        world.add_ball(expected.from, {0, -1});
+        const Event hit = first(world, EventKind::hit);
+        INFO(expected.from.transpose());
+        CHECK(part_of(world, hit) == expected.part);
+        CHECK(material_of(world, hit) == expected.material);
+        for (const Event& event : world.events())
+            if (event.kind == EventKind::kick) CHECK((event.part == hit.part && event.material == hit.material));
+    }
+}
+
+TEST_CASE("events of parts name the part and no material") {
+    World world(program_of(table));
+    const auto check = [&](EventKind kind, const std::string& part) {
+        const Event event = first(world, kind);
+        CHECK(part_of(world, event) == part);
+        if (event.part >= 0) CHECK(at(world.program().parts, event.part).origin == event.node);
+        CHECK(event.material == -1);
+    };
+    world.set_input(0, 1);
+    check(EventKind::press, "bat");
+    check(EventKind::end_stop, "bat");
+    world.set_input(0, 0);
+    check(EventKind::release, "bat");
+    world.set_input(1, 1);
+    check(EventKind::press, "rod");
+    for (int t = 0; t < 100; ++t) world.step();
+    world.set_input(1, 0);
+    check(EventKind::launch, "rod");
+    world.add_ball({0.2, 0.3}, {0, -1});
+    check(EventKind::drain, "out");
+    world.add_ball({0.9, 0.9}, {0, 1});
+    world.add_ball({0.9, 0.86}, {0, 2});
+    check(EventKind::ball_hit, "");
+}
+
+TEST_CASE("a change of the program leaves no event behind whose parts are those of the old one") {
+    World world(program_of(table));
+    world.set_input(0, 1);
+    world.step();
+    REQUIRE_FALSE(world.events().empty());
+    world.set_program(program_of(room(1, 1, "", "", "")));
+    CHECK(world.events().empty());
+}
