@@ -1,9 +1,9 @@
 // What every command of `pinfield` shares: exit codes, the way it is added to the command line, and how it fails.
 #pragma once
-#include <CLI/App.hpp>
 #include <string>
 #include <string_view>
 
+#include "engine/cli/arguments.h"
 #include "engine/core/result.h"
 
 namespace pinfield::cli {
@@ -30,14 +30,14 @@ T value_or_stop(Result<T> result) {
 }
 
 /// Each adds its subcommand; when the user asks for it, the callback runs it and sets `exit`.
-void add_check(CLI::App& app, ExitCode& exit);
-void add_nodes(CLI::App& app, ExitCode& exit);
-void add_schema(CLI::App& app, ExitCode& exit);
-void add_eval(CLI::App& app, ExitCode& exit);
-void add_simulate(CLI::App& app, ExitCode& exit);
-void add_render(CLI::App& app, ExitCode& exit);
-void add_format(CLI::App& app, ExitCode& exit);
-void add_test(CLI::App& app, ExitCode& exit);
-void add_bench(CLI::App& app, ExitCode& exit);
+void add_check(const Command& app, ExitCode& exit);
+void add_nodes(const Command& app, ExitCode& exit);
+void add_schema(const Command& app, ExitCode& exit);
+void add_eval(const Command& app, ExitCode& exit);
+void add_simulate(const Command& app, ExitCode& exit);
+void add_render(const Command& app, ExitCode& exit);
+void add_format(const Command& app, ExitCode& exit);
+void add_test(const Command& app, ExitCode& exit);
+void add_bench(const Command& app, ExitCode& exit);
 
 }  // namespace pinfield::cli

@@ -1,8 +1,7 @@
 // pinfield bench: how fast physics, raster and parameter edits are, on a generated playfield of 200 obstacles, one thread.
-#include <array>
 #include <fmt/format.h>
+#include <array>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 
@@ -94,24 +93,24 @@ void bench(bool json, int runs) {
               "\n");
         return;
     }
-    print(fmt::format(
-        "generated playfield: {} obstacles, {} elastic balls, {:g} m/s, one thread; medians\n"
-        "  physics  {:8.2f} million ball-steps/s\n"
-        "  raster   {:8.2f} ms for {} x {} ({}), {:.2f} ms (sse2)\n"
-        "  patch    {:8.4f} ms for a moved obstacle\n"
-        "  compile  {:8.2f} ms\n",
-        obstacles, balls, speed, rate * 1e-6, raster * 1e3, pixels, pixels, isa, raster_sse2 * 1e3, edit * 1e3, whole * 1e3));
+    print(
+        fmt::format("generated playfield: {} obstacles, {} elastic balls, {:g} m/s, one thread; medians\n"
+                    "  physics  {:8.2f} million ball-steps/s\n"
+                    "  raster   {:8.2f} ms for {} x {} ({}), {:.2f} ms (sse2)\n"
+                    "  patch    {:8.4f} ms for a moved obstacle\n"
+                    "  compile  {:8.2f} ms\n",
+                    obstacles, balls, speed, rate * 1e-6, raster * 1e3, pixels, pixels, isa, raster_sse2 * 1e3, edit * 1e3, whole * 1e3));
 }
 
 }  // namespace
 
-void add_bench(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("bench", "Measure physics, raster and parameter edits on a generated playfield");
+void add_bench(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("bench", "Measure physics, raster and parameter edits on a generated playfield");
     const auto json = std::make_shared<bool>(false);
     const auto runs = std::make_shared<int>(5);
-    command->add_flag("--json", *json, "Print the figures as JSON");
-    command->add_option("--runs", *runs, "Runs that each median is taken over")->check(CLI::Range(1, 1000))->capture_default_str();
-    command->callback([json, runs, &exit] {
+    command.flag("--json", *json, "Print the figures as JSON");
+    command.option("--runs", *runs, "Runs that each median is taken over").range(1, 1000).show_default();
+    command.callback([json, runs, &exit] {
         bench(*json, *runs);
         exit = ExitCode::fine;
     });

@@ -1,8 +1,6 @@
 // pinfield check FILE...: what is wrong with tables, and where; with --verbose also what the distance of each node may be trusted for.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "engine/cli/command.h"
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
@@ -59,11 +57,12 @@ const char* word(Side side) { return side == Side::exact ? "exact" : "bound"; }
 
 std::string message_of(const Note& note) {
     const Exactness& formula = note.quality.formula;
-    return fmt::format(
-        "{} is {} outside, {} inside, L = {:.4g}{}", note.node, word(formula.outside), word(formula.inside), formula.lipschitz,
-        !note.quality.boundary_known  ? ""
-        : note.quality.fit_error == 0 ? ", its boundary is known: exact on both sides"
-                                    : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.quality.fit_error));
+    return fmt::format("{} is {} outside, {} inside, L = {:.4g}{}", note.node, word(formula.outside), word(formula.inside),
+                       formula.lipschitz,
+                       !note.quality.boundary_known ? ""
+                       : note.quality.fit_error == 0
+                           ? ", its boundary is known: exact on both sides"
+                           : fmt::format(", its boundary is fitted: right on both sides within {:.1g} m", note.quality.fit_error));
 }
 
 std::string lines_of(const std::vector<Note>& notes, const Sources& sources) {
@@ -131,13 +130,13 @@ ExitCode check(const Options& options) {
 
 }  // namespace
 
-void add_check(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("check", "Tell all that is wrong with tables, with file, line and column");
+void add_check(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("check", "Tell all that is wrong with tables, with file, line and column");
     const auto options = std::make_shared<Options>();
-    command->add_option("FILE", options->files, "Table files")->required();
-    command->add_flag("--json", options->json, "Print an array of findings");
-    command->add_flag("--verbose", options->verbose, "Tell of every node with a distance how far that may be trusted");
-    command->callback([options, &exit] { exit = check(*options); });
+    command.option("FILE", options->files, "Table files").required();
+    command.flag("--json", options->json, "Print an array of findings");
+    command.flag("--verbose", options->verbose, "Tell of every node with a distance how far that may be trusted");
+    command.callback([options, &exit] { exit = check(*options); });
 }
 
 }  // namespace pinfield::cli

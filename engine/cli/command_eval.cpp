@@ -2,7 +2,6 @@
 // distance or a bound of it, point by point.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 
 #include "engine/cli/command.h"
@@ -92,8 +91,7 @@ void eval(const Options& options) {
     for (const CsvRecord& record : records) {
         const Vec2 p(value_or_stop(csv_number(options.points, record, 0)), value_or_stop(csv_number(options.points, record, 1)));
         if (!(std::fabs(p.x()) <= farthest && std::fabs(p.y()) <= farthest))
-            throw Stop{ExitCode::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points,
-                                                 record.line, farthest)};
+            throw Stop{ExitCode::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points, record.line, farthest)};
         const auto& [found, node] = answer_at(sources, p);
         out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), found.distance, found.gradient.x(),
                               found.gradient.y(), found.leaf < 0 ? "" : name_of(table.scene, node), found.certified));
@@ -103,15 +101,15 @@ void eval(const Options& options) {
 
 }  // namespace
 
-void add_eval(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand(
+void add_eval(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand(
         "eval", "Evaluate the signed distance of a table's solids at points, and tell where it is certified to be the true one");
     const auto options = std::make_shared<Options>();
-    command->add_option("FILE", options->file, "Table file")->required();
-    command->add_option("--points", options->points, "CSV with the header x,y, metres")->required();
-    command->add_option("-o,--output", options->out, "CSV to write; stdout when not given");
-    command->add_flag("--shapes-only", options->shapes_only, "Leave the domain out");
-    command->callback([options, &exit] {
+    command.option("FILE", options->file, "Table file").required();
+    command.option("--points", options->points, "CSV with the header x,y, metres").required();
+    command.option("-o,--output", options->out, "CSV to write; stdout when not given");
+    command.flag("--shapes-only", options->shapes_only, "Leave the domain out");
+    command.callback([options, &exit] {
         eval(*options);
         exit = ExitCode::fine;
     });

@@ -1,5 +1,4 @@
 // pinfield format FILE: the canonical form of a table, to stdout; the file itself is never written.
-#include <CLI/CLI.hpp>
 
 #include "engine/cli/command.h"
 #include "engine/cli/output.h"
@@ -8,11 +7,11 @@
 
 namespace pinfield::cli {
 
-void add_format(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("format", "Print a table in its canonical form");
+void add_format(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("format", "Print a table in its canonical form");
     const auto file = std::make_shared<std::string>();
-    command->add_option("FILE", *file, "Table file")->required();
-    command->callback([file, &exit] {
+    command.option("FILE", *file, "Table file").required();
+    command.callback([file, &exit] {
         print(write_table(open_table(*file).scene));
         exit = ExitCode::fine;
     });

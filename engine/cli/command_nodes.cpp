@@ -1,8 +1,6 @@
 // pinfield nodes [KEY]: every node with its fields, units, ranges, defaults and exactness.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "engine/cli/command.h"
 #include "engine/cli/output.h"
 #include "engine/io/node_reference.h"
@@ -27,13 +25,13 @@ void nodes(const Options& options) {
 
 }  // namespace
 
-void add_nodes(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("nodes", "List every node with its fields, units, ranges, defaults and exactness");
+void add_nodes(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("nodes", "List every node with its fields, units, ranges, defaults and exactness");
     const auto options = std::make_shared<Options>();
-    command->add_option("KEY", options->key, "Only this node");
-    CLI::Option* json = command->add_flag("--json", options->json, "As JSON");
-    command->add_flag("--markdown", options->markdown, "As Markdown")->excludes(json);
-    command->callback([options, &exit] {
+    command.option("KEY", options->key, "Only this node");
+    const Option json = command.flag("--json", options->json, "As JSON");
+    command.flag("--markdown", options->markdown, "As Markdown").excludes(json);
+    command.callback([options, &exit] {
         nodes(*options);
         exit = ExitCode::fine;
     });

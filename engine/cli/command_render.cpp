@@ -1,7 +1,6 @@
 // pinfield render FILE -o OUT.png: a picture of the table at rest.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cmath>
 #include <optional>
 
@@ -77,15 +76,15 @@ void render(const Options& options) {
 
 }  // namespace
 
-void add_render(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("render", "Draw a table into a PNG");
+void add_render(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("render", "Draw a table into a PNG");
     const auto options = std::make_shared<Options>();
-    command->add_option("FILE", options->file, "Table file")->required();
-    command->add_option("-o,--output", options->out, "Picture to write")->required();
-    command->add_option("--size", options->size, "Pixels as WIDTHxHEIGHT; a pixel a millimetre when not given")
-        ->check([](const std::string& text) { return why_invalid_size(text); });
-    command->add_option("--mode", options->mode, "shaded or isolines")->check(CLI::IsMember({"shaded", "isolines"}))->capture_default_str();
-    command->callback([options, &exit] {
+    command.option("FILE", options->file, "Table file").required();
+    command.option("-o,--output", options->out, "Picture to write").required();
+    command.option("--size", options->size, "Pixels as WIDTHxHEIGHT; a pixel a millimetre when not given")
+        .check([](const std::string& text) { return why_invalid_size(text); });
+    command.option("--mode", options->mode, "shaded or isolines").one_of({"shaded", "isolines"}).show_default();
+    command.callback([options, &exit] {
         render(*options);
         exit = ExitCode::fine;
     });

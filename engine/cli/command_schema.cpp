@@ -1,5 +1,4 @@
 // pinfield schema: JSON Schema of the table format, for editors that complete and check YAML.
-#include <CLI/CLI.hpp>
 
 #include "engine/cli/command.h"
 #include "engine/cli/output.h"
@@ -8,9 +7,9 @@
 
 namespace pinfield::cli {
 
-void add_schema(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema (draft-07) of the table format");
-    command->callback([&exit] {
+void add_schema(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("schema", "Print the JSON Schema (draft-07) of the table format");
+    command.callback([&exit] {
         std::string text = json_schema(built_in_catalog());
         if (!text.ends_with('\n')) text += '\n';
         print(text);

@@ -1,9 +1,8 @@
 // pinfield simulate FILE: plays a table without a window and says what became of the balls.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-#include <charconv>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "engine/cli/command.h"
@@ -64,8 +63,7 @@ std::vector<InputChange> read_inputs(const std::string& path, const Program& pro
         if (input == program.inputs.end())
             stop(fmt::format("the table has no input \"{}\"; it has: {}", record.cells[1], fmt::join(program.inputs, ", ")));
         const double value = value_or_stop(csv_number(path, record, 2));
-        if (value != 0 && value != 1)
-            stop(fmt::format("\"{}\" is neither 1 (pressed) nor 0 (released)", record.cells[2]));
+        if (value != 0 && value != 1) stop(fmt::format("\"{}\" is neither 1 (pressed) nor 0 (released)", record.cells[2]));
         changes.push_back({static_cast<std::int64_t>(tick), static_cast<int>(input - program.inputs.begin()), value});
     }
     std::stable_sort(changes.begin(), changes.end(), [](const InputChange& a, const InputChange& b) { return a.tick < b.tick; });
@@ -123,8 +121,7 @@ std::string text_of(const SimulationSummary& summary, const std::string& table, 
     text +=
         fmt::format("  energy          {:.9g} J at first, {:.9g} J at last\n  events         ", summary.energy_first, summary.energy_last);
     for (int kind = 0; kind < event_kinds; ++kind)
-        if (const auto count = at(summary.events, kind))
-            text += fmt::format(" {} {}", name(static_cast<EventKind>(kind)), count);
+        if (const auto count = at(summary.events, kind)) text += fmt::format(" {} {}", name(static_cast<EventKind>(kind)), count);
     text += fmt::format("\n  state hash      {}\n", hex16(summary.state_hash));
     if (summary.audit)
         text += fmt::format("  audit           {} segments, worst depth {:.3g} m, {} crossings\n", summary.audit->segments,
@@ -133,8 +130,7 @@ std::string text_of(const SimulationSummary& summary, const std::string& table, 
 }
 
 void run(const Options& options) {
-    for (const std::string& output : {options.trace, options.events})
-        refuse_overwriting(output, {options.file, options.inputs});
+    for (const std::string& output : {options.trace, options.events}) refuse_overwriting(output, {options.file, options.inputs});
     refuse_sharing(options.trace, options.events);
     const Table table = open_table(options.file);
     Game game(world_of(table, options), parents_of(table.scene));
@@ -160,34 +156,33 @@ std::string why_invalid_seed(const std::string& text) {
 
 }  // namespace
 
-void add_simulate(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("simulate", "Play a table without a window");
+void add_simulate(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("simulate", "Play a table without a window");
     const auto options = std::make_shared<Options>();
-    command->add_option("FILE", options->file, "Table file")->required();
-    add_quantity(*command, "--seconds", options->seconds, Unit::second, from(0), to(1e6), "How long, in the table's time (10)");
-    CLI::Option* balls =
-        command->add_option("--balls", options->balls, "Scatter this many balls that ignore each other, in place of the spawns")
-            ->check(CLI::Range(0, 1'000'000));
-    add_quantity(*command, "--speed", options->speed, Unit::metre_per_second, from(0), to(1e6), "Of the scattered balls, m/s (1)")
-        ->needs(balls);
-    command->add_option("--seed", options->seed, "Of everything random: a whole number from 0 to 2^64 - 1")
-        ->check([](const std::string& text) { return why_invalid_seed(text); })
-        ->capture_default_str();
-    command->add_option("--launch", options->launches, "Add a ball x,y,vx,vy in place of the spawns; may be repeated")
-        ->allow_extra_args(false)
-        ->check([](const std::string& text) { return why_invalid_launch(text); });
-    add_quantity(*command, "--restitution", options->restitution, Unit::none, from(0), to(1),
+    command.option("FILE", options->file, "Table file").required();
+    add_quantity(command, "--seconds", options->seconds, Unit::second, from(0), to(1e6), "How long, in the table's time (10)");
+    const Option balls = command.option("--balls", options->balls, "Scatter this many balls that ignore each other, in place of the spawns")
+                             .range(0, 1'000'000);
+    add_quantity(command, "--speed", options->speed, Unit::metre_per_second, from(0), to(1e6), "Of the scattered balls, m/s (1)")
+        .needs(balls);
+    command.option("--seed", options->seed, "Of everything random: a whole number from 0 to 2^64 - 1")
+        .check(why_invalid_seed)
+        .show_default();
+    command.option("--launch", options->launches, "Add a ball x,y,vx,vy in place of the spawns; may be repeated")
+        .one_at_a_time()
+        .check([](const std::string& text) { return why_invalid_launch(text); });
+    add_quantity(command, "--restitution", options->restitution, Unit::none, from(0), to(1),
                  "Set every restitution, and falloff, friction, scatter and kicks to 0");
-    command->add_option("--integrator", options->integrator, "In place of the table's: symplectic_euler or ballistic")
-        ->check(CLI::IsMember({"symplectic_euler", "ballistic"}));
-    add_quantity(*command, "--step", options->step, Unit::second, from(1e-6), to(0.1), "Length of a tick in place of the table's");
-    command->add_flag("--audit", options->audit, "Check every stretch of path densely against the true distance");
-    command->add_option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV");
-    command->add_option("--events", options->events, "Write what happens as JSON lines");
-    command->add_option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release");
-    command->add_flag("--json", options->json, "Print the summary as JSON");
-    command->add_flag("--no-sweep", options->no_sweep)->group("");  // for tests of the auditor: balls tunnel
-    command->callback([options, &exit] {
+    command.option("--integrator", options->integrator, "In place of the table's: symplectic_euler or ballistic")
+        .one_of({"symplectic_euler", "ballistic"});
+    add_quantity(command, "--step", options->step, Unit::second, from(1e-6), to(0.1), "Length of a tick in place of the table's");
+    command.flag("--audit", options->audit, "Check every stretch of path densely against the true distance");
+    command.option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV");
+    command.option("--events", options->events, "Write what happens as JSON lines");
+    command.option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release");
+    command.flag("--json", options->json, "Print the summary as JSON");
+    command.flag("--no-sweep", options->no_sweep, "").hidden();  // for tests of the auditor: balls tunnel
+    command.callback([options, &exit] {
         run(*options);
         exit = ExitCode::fine;
     });

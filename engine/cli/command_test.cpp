@@ -1,8 +1,6 @@
 // pinfield test FILE: runs the `tests:` of a table.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "engine/cli/command.h"
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
@@ -102,12 +100,12 @@ ExitCode test(const Options& options) {
 
 }  // namespace
 
-void add_test(CLI::App& app, ExitCode& exit) {
-    CLI::App* command = app.add_subcommand("test", "Run a table's own tests");
+void add_test(const Command& app, ExitCode& exit) {
+    const Command command = app.subcommand("test", "Run a table's own tests");
     const auto options = std::make_shared<Options>();
-    command->add_option("FILE", options->file, "Table file")->required();
-    command->add_flag("--json", options->json, "Print the results as JSON");
-    command->callback([options, &exit] { exit = test(*options); });
+    command.option("FILE", options->file, "Table file").required();
+    command.flag("--json", options->json, "Print the results as JSON");
+    command.callback([options, &exit] { exit = test(*options); });
 }
 
 }  // namespace pinfield::cli

@@ -33,8 +33,6 @@ JsonObject& JsonObject::add_raw(std::string_view key, std::string_view json) {
     return *this;
 }
 
-std::string json_array(const std::vector<std::string>& values) {
-    return fmt::format("[{}]", fmt::join(values, ", "));
-}
+std::string json_array(const std::vector<std::string>& values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
 
 }  // namespace pinfield::cli

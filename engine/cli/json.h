@@ -19,7 +19,9 @@ public:
     JsonObject& add(std::string_view key, const char* value) { return add_raw(key, json_text(value)); }
     JsonObject& add(std::string_view key, bool value) { return add_raw(key, value ? "true" : "false"); }
     template <std::integral Integer>
-    JsonObject& add(std::string_view key, Integer value) { return add_raw(key, std::to_string(value)); }
+    JsonObject& add(std::string_view key, Integer value) {
+        return add_raw(key, std::to_string(value));
+    }
     JsonObject& add(std::string_view key, const JsonObject& value) { return add_raw(key, value.text()); }
     /// `json` is a JSON value already.
     JsonObject& add_raw(std::string_view key, std::string_view json);

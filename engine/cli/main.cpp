@@ -10,9 +10,10 @@
 
 namespace {
 
+using pinfield::cli::Command;
 using pinfield::cli::ExitCode;
 
-void add_commands(CLI::App& app, ExitCode& exit) {
+void add_commands(const Command& app, ExitCode& exit) {
     using namespace pinfield::cli;
     add_check(app, exit);
     add_nodes(app, exit);
@@ -46,7 +47,7 @@ ExitCode run(int argc, char** argv) {
     app.require_subcommand(1);
     app.footer("Exit codes: 0 fine, 1 the table is wrong or a test failed, 2 wrong usage, 3 a file or device failed.");
     ExitCode exit = ExitCode::fine;
-    add_commands(app, exit);
+    add_commands(Command(&app), exit);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

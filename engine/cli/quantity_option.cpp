@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
 #include "engine/core/numbers.h"
 #include "engine/io/quantity.h"
 
@@ -21,17 +19,15 @@ std::string why_invalid_quantity(const std::string& text, Unit unit, Limit min, 
     return "";
 }
 
-CLI::Option* add_quantity(CLI::App& command, const std::string& name, std::optional<double>& target, Unit unit, Limit min, Limit max,
-                          const std::string& doc) {
-    return command.add_option_function<std::string>(
-        name,
-        [&target, name, unit, min, max](const std::string& text) {
-            double value = 0;
-            const std::string complaint = why_invalid_quantity(text, unit, min, max, &value);
-            if (!complaint.empty()) throw CLI::ValidationError(name, complaint);
-            target = value;
-        },
-        doc);
+Option add_quantity(const Command& command, const std::string& name, std::optional<double>& target, Unit unit, Limit min, Limit max,
+                    const std::string& doc) {
+    const auto take = [&target, unit, min, max](const std::string& text) {
+        double value = 0;
+        const std::string complaint = why_invalid_quantity(text, unit, min, max, &value);
+        if (complaint.empty()) target = value;
+        return complaint;
+    };
+    return command.option(name, take, doc);
 }
 
 }  // namespace pinfield::cli
