@@ -82,21 +82,10 @@ float share_of_range(const FieldMeta& meta, double value) {
     return static_cast<float>(std::clamp((value - lo) / (hi - lo), 0.0, 1.0));
 }
 
-/// A number that is dragged sideways, or typed after a double click.
-void number_control(const Row& row, int component, float width, const char* name = "") {
-    ImGui::PushID(component);
-    if (row.ui.typing.is(row.node.id, row.index, component)) {
-        typing_field(row, width);
-        ImGui::PopID();
-        return;
-    }
-    const Theme& theme = row.theme();
-    const ImVec2 place = ImGui::GetCursorScreenPos(), size{width, ImGui::GetFrameHeight()};
-    ImGui::InvisibleButton("scrub", size);
-    const bool hot = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+/// Drags the number under the mouse, or begins to type it.
+void scrub_number(const Row& row, int component, bool hot, bool held) {
     Scrub& scrub = row.ui.scrub;
     Document& document = row.state.document;
-    const ImGuiIO& io = ImGui::GetIO();
     if (hot || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (hot && ImGui::IsMouseDoubleClicked(0)) {
         scrub.cancel(document);
@@ -105,17 +94,22 @@ void number_control(const Row& row, int component, float width, const char* name
         scrub.begin(document, row.node.id, row.index, component);
     }
     if (held && scrub.active()) {
-        const double pixels = ImGui::GetMouseDragDelta(0, 0).x / theme.scale;
+        const ImGuiIO& io = ImGui::GetIO();
+        const double pixels = ImGui::GetMouseDragDelta(0, 0).x / row.theme().scale;
         scrub.update(document, pixels, io.KeyShift, io.KeyCtrl);
     }
     if (ImGui::IsItemDeactivated() && scrub.active()) tell(row.state, scrub.end(document));
+}
 
+/// The number with its name before and its unit behind, on a bar as full as the value is of its range.
+void draw_number(const Row& row, int component, ImVec2 place, ImVec2 size, const Tint& background, const char* name) {
+    const Theme& theme = row.theme();
     const double value = pinfield::editor::component(row.value(), component);
     const Shown text = shown(value, row.field().meta.unit);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{place.x + size.x, place.y + size.y};
     const float round = ImGui::GetStyle().FrameRounding, pad = theme.px(8);
-    list.AddRectFilled(place, end, ink(held ? palette::field_active : hot ? palette::field_hot : palette::field), round);
+    list.AddRectFilled(place, end, ink(background), round);
     const float share = share_of_range(row.field().meta, value);
     if (share > 0) {
         list.PushClipRect(place, {place.x + share * size.x, end.y}, true);
@@ -133,6 +127,20 @@ void number_control(const Row& row, int component, float width, const char* name
     list.AddText({x, y}, ink(palette::text), number.c_str());
     list.AddText(theme.small, theme.small->FontSize, {end.x - pad - unit_width, place.y + 0.5f * (size.y - theme.small->FontSize)},
                  ink(palette::quiet), text.unit.c_str());
+}
+
+/// A number that is dragged sideways, or typed after a double click.
+void number_control(const Row& row, int component, float width, const char* name = "") {
+    ImGui::PushID(component);
+    if (row.ui.typing.is(row.node.id, row.index, component)) {
+        typing_field(row, width);
+    } else {
+        const ImVec2 place = ImGui::GetCursorScreenPos(), size{width, ImGui::GetFrameHeight()};
+        ImGui::InvisibleButton("scrub", size);
+        const bool hot = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
+        scrub_number(row, component, hot, held);
+        draw_number(row, component, place, size, held ? palette::field_active : hot ? palette::field_hot : palette::field, name);
+    }
     ImGui::PopID();
 }
 

@@ -44,6 +44,7 @@ inline double first_zero(double gap, double rate, double curvature) {
 /// The gaps at which a sweep stops. A ball is stopped when its gap is half the tolerance, so that rounding never eats the gap.
 /// One that starts within the band is already touching: it may creep a little closer (rounding makes a tangential velocity
 /// close by 1e-17 m/s), but when its motion would use the gap up it counts as a contact here and now.
+/// The thresholds are quarters of the tolerance, so that each is 25 nm from the next at the usual 0.1 um: 10^8 roundings of a metre.
 struct ContactBand {
     double tolerance = 1e-7;  ///< metres
 

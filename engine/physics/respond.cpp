@@ -12,10 +12,18 @@ namespace pinfield {
 
 namespace {
 
-constexpr int most_rounds = 32;      // of resolving simultaneous contacts
+// Of resolving simultaneous contacts. Two surfaces hand an impulse back and forth, times the square of their normals' cosine each round: at
+// 45 degrees 32 rounds leave less than 1e-9 of it; of a narrower wedge the next tick takes the rest.
+constexpr int most_rounds = 32;
 constexpr int hops_per_tick = 16;    // of a ball that follows a hollow or an accelerating surface
 constexpr double steepest_hop = 0.1; // its normal speed per speed along the hollow: fast balls in narrow ones take more hops instead
-
+// Sine of the angle between two normals below which they count as one: a normal has 15 digits, and a quotient by less would keep under 7.
+constexpr double least_wedge = 1e-9;
+// Of the sum of two velocities, as a share of their lengths: some 450 roundings of a double, more than one impact makes. A contact that
+// closes slower than this has been resolved already.
+constexpr double rounding_of_speeds = 1e-13;
+// What taking away gravity's part along one normal may leave of it along another that takes it up as well: some 5000 roundings.
+constexpr double rounding_of_gravity = 1e-12;
 
 /// What the surface of a contact is made of, and to whom it belongs.
 struct Surface {
@@ -98,6 +106,73 @@ void scatter(const WorldState& w, Ball& ball, const Contact& c, const MaterialRe
     if (dot(v, c.normal) > 0) ball.velocity = v;
 }
 
+/// One contact of a ball that is being resolved.
+struct Meeting {
+    WorldState& w;
+    Ball& ball;
+    Contact& c;
+    Vec2 n, t;  ///< unit, world: out of the surface, and along it
+    SurfaceMotion surface;
+    const MaterialRecord& material;
+    Impact impact;
+    double mass;  ///< of the ball, kg
+};
+
+/// Along the normal; returns the ball's gain of speed. `normal`: its speed off the surface before.
+double bounce(Meeting& m, double normal) {
+    double gained = m.impact.approach * (1 + m.impact.restitution) + m.impact.hop;  // impulses in units of the ball's mass
+    if (normal > 0) gained = std::max(0.0, m.impact.hop - normal);
+    if (m.surface.yielding > 0) {
+        MoverState& state = at(m.w.movers, m.c.mover);
+        const double share = m.mass * m.surface.lever_normal * m.surface.lever_normal * m.surface.yielding;
+        const double change = -(gained / (1 + share)) * m.mass * m.surface.lever_normal * m.surface.yielding;
+        if (stop_holds(state, change)) {
+            m.surface.yielding = 0;
+        } else {
+            gained /= 1 + share;
+            state.rate += change;
+        }
+    }
+    m.ball.velocity += gained * m.n;
+    return gained;
+}
+
+/// Following a hollow in contact is a polygon of short hops; its corners turn the velocity without slowing it.
+void follow_hollow(Meeting& m, bool follows, double speed_before) {
+    Ball& ball = m.ball;
+    const double hop = m.impact.hop;
+    if (follows && hop > 0) {
+        const double along = dot(ball.velocity, m.t), kept = speed_before * speed_before - hop * hop;
+        if (kept > along * along) ball.velocity = hop * m.n + (along < 0 ? -std::sqrt(kept) : std::sqrt(kept)) * m.t;
+    }
+    // A hop is no push: off a surface at rest the ball leaves no faster than it came.
+    const double speed = length(ball.velocity);
+    if (m.c.mover < 0 && hop > 0 && speed > speed_before) ball.velocity *= speed_before / speed;
+}
+
+/// Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre.
+void rub(Meeting& m, double slip, double gained) {
+    const bool frictionless = m.w.options.restitution.has_value();
+    const double tangential = frictionless ? 1.0 : m.impact.collapsed && m.material.tangential < 1 ? 0.0 : m.material.tangential;
+    if (tangential == 1 || slip == 0) return;
+    const double share = m.mass * m.surface.lever_tangent * m.surface.lever_tangent * m.surface.yielding;
+    const double wanted = -(1 - tangential) * slip / (3 + share), cone = m.material.friction * gained;
+    const double pull = std::clamp(wanted, -cone, cone);
+    m.ball.velocity += pull * m.t;
+    m.ball.spin -= 2 * pull / m.w.physics.ball_radius;
+    if (m.surface.yielding > 0) at(m.w.movers, m.c.mover).rate -= pull * m.mass * m.surface.lever_tangent * m.surface.yielding;
+}
+
+/// Reports the impact, and kicks the ball where the part does.
+void report(Meeting& m, const Surface& of, const Vec2& point, double time) {
+    WorldState& w = m.w;
+    w.events.push_back({w.tick, time, EventKind::hit, m.ball.id, of.node, point, m.n, m.impact.approach, of.part, of.material});
+    const double kick = of.part >= 0 && !w.options.restitution ? kick_of(at(w.program().parts, of.part), m.impact.approach) : 0.0;
+    if (kick <= 0) return;
+    m.ball.velocity += kick * m.n;
+    w.events.push_back({w.tick, time, EventKind::kick, m.ball.id, of.node, point, m.n, kick, of.part, of.material});
+}
+
 /// Changes velocities at one contact. True when the contact was closing.
 bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     Ball& ball = w.balls[i];
@@ -105,59 +180,25 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     BallMemory& memory = w.memories[i];
     const double r = w.physics.ball_radius;
     const Vec2 n = c.normal, t = perpendicular(n), point = ball.position - r * n;
-    SurfaceMotion surface = surface_motion_of(w, c, point, t);
+    const SurfaceMotion surface = surface_motion_of(w, c, point, t);
     const Vec2 relative = ball.velocity - surface.velocity;
-    const double normal = dot(relative, n), slip_before = dot(relative, t) - r * ball.spin;
+    const double normal = dot(relative, n), slip = dot(relative, t) - r * ball.spin;
     if (normal >= 0 && !forced) return false;
-    if (!forced && -normal <= 1e-13 * (length(ball.velocity) + length(surface.velocity))) return false;
+    if (!forced && -normal <= rounding_of_speeds * (length(ball.velocity) + length(surface.velocity))) return false;
     const Surface of = surface_of(w, c);
     const MaterialRecord& material = at(w.program().materials, of.material);
     const Impact impact = judge(w, work, c, material, surface, -normal, dot(relative, t));
+    Meeting m{w, ball, c, n, t, surface, material, impact, w.physics.ball_mass};
     c.collapsed = impact.collapsed;
     ++w.stats.impacts;
 
-    // Along the normal, in units of the ball's mass.
-    const double mass = w.physics.ball_mass;
-    double gained = impact.approach * (1 + impact.restitution) + impact.hop;
-    if (normal > 0) gained = std::max(0.0, impact.hop - normal);
-    if (surface.yielding > 0) {
-        MoverState& state = at(w.movers, c.mover);
-        const double share = mass * surface.lever_normal * surface.lever_normal * surface.yielding;
-        const double change = -(gained / (1 + share)) * mass * surface.lever_normal * surface.yielding;
-        if (stop_holds(state, change)) {
-            surface.yielding = 0;
-        } else {
-            gained /= 1 + share;
-            state.rate += change;
-        }
-    }
     const double speed_before = length(ball.velocity);
-    ball.velocity += gained * n;
+    const double gained = bounce(m, normal);
     const Vec2 bounced = ball.velocity;
-
-    // Following a hollow in contact is a polygon of short hops; its corners turn the velocity without slowing it.
     const bool follows =
         impact.collapsed && c.concave_radius > 0 && c.mover < 0 && memory.slide_tick >= w.tick - 1 && c.surface() == memory.slide;
-    if (follows && impact.hop > 0) {
-        const double along = dot(ball.velocity, t), kept = speed_before * speed_before - impact.hop * impact.hop;
-        if (kept > along * along) ball.velocity = impact.hop * n + (along < 0 ? -std::sqrt(kept) : std::sqrt(kept)) * t;
-    }
-    // A hop is no push: off a surface at rest the ball leaves no faster than it came.
-    const double speed = length(ball.velocity);
-    if (c.mover < 0 && impact.hop > 0 && speed > speed_before) ball.velocity *= speed_before / speed;
-
-    // Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre.
-    const double slip = slip_before + dot(ball.velocity - bounced, t);
-    const bool frictionless = w.options.restitution.has_value();
-    const double tangential = frictionless ? 1.0 : impact.collapsed && material.tangential < 1 ? 0.0 : material.tangential;
-    if (tangential != 1 && slip != 0) {
-        const double share = mass * surface.lever_tangent * surface.lever_tangent * surface.yielding;
-        const double wanted = -(1 - tangential) * slip / (3 + share), cone = material.friction * gained;
-        const double pull = std::clamp(wanted, -cone, cone);
-        ball.velocity += pull * t;
-        ball.spin -= 2 * pull / r;
-        if (surface.yielding > 0) at(w.movers, c.mover).rate -= pull * mass * surface.lever_tangent * surface.yielding;
-    }
+    follow_hollow(m, follows, speed_before);
+    rub(m, slip + dot(ball.velocity - bounced, t), gained);
     if (c.collapsed) {
         memory.slide = c.surface();
         memory.slide_tick = w.tick;
@@ -165,13 +206,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
         scatter(w, ball, c, material, work.impacts);
     }
     if (impact.collapsed && impact.approach <= w.physics.rest_speed) return true;
-    const double time = w.start_time() + work.time;
-    w.events.push_back({w.tick, time, EventKind::hit, ball.id, of.node, point, n, impact.approach, of.part, of.material});
-    const double kick = of.part >= 0 && !w.options.restitution ? kick_of(at(w.program().parts, of.part), impact.approach) : 0.0;
-    if (kick > 0) {
-        ball.velocity += kick * n;
-        w.events.push_back({w.tick, time, EventKind::kick, ball.id, of.node, point, n, kick, of.part, of.material});
-    }
+    report(m, of, point, w.start_time() + work.time);
     return true;
 }
 
@@ -220,7 +255,7 @@ bool settle_in_wedge(WorldState& w, std::size_t i) {
         if (!c.collapsed) continue;
         if (!first) { first = &c; continue; }
         const double wedge = cross(first->normal, c.normal);
-        if (std::fabs(wedge) < 1e-9) continue;
+        if (std::fabs(wedge) < least_wedge) continue;
         const Vec2 point = ball.position - w.physics.ball_radius * c.normal;
         const Vec2 other = ball.position - w.physics.ball_radius * first->normal;
         const double s1 = dot(first->normal, surface_motion_of(w, *first, other, {0, 0}).velocity);
@@ -255,7 +290,7 @@ void rest_in_wedge(WorldState& w, std::size_t i) {
             const Contact &first = w.contacts[a], &second = w.contacts[b];
             if (first.mover >= 0 || second.mover >= 0) continue;
             const double wedge = cross(first.normal, second.normal);
-            if (std::fabs(wedge) < 1e-9) continue;
+            if (std::fabs(wedge) < least_wedge) continue;
             const double on_first = -cross(g, second.normal) / wedge, on_second = -cross(first.normal, g) / wedge;
             if (on_first < 0 || on_second < 0) continue;
             const Grip grips[] = {grip_of(w, first), grip_of(w, second)};
@@ -291,7 +326,7 @@ void constrain(WorldState& w, std::size_t i) {
         ++holding;
     }
     for (const Contact& c : w.contacts)
-        if (c.collapsed && c.mover < 0 && dot(c.normal, a) < -1e-12 * length(g)) a = {0, 0};
+        if (c.collapsed && c.mover < 0 && dot(c.normal, a) < -rounding_of_gravity * length(g)) a = {0, 0};
     if (holding == 1) {
         const Ball& ball = w.balls[i];
         const double along = dot(ball.velocity, perpendicular(only->normal)), turning = along * along / turning_radius(w, ball, *only);

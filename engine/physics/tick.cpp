@@ -10,7 +10,7 @@ namespace pinfield {
 
 namespace {
 
-constexpr double depenetration_speed = 2;  // m/s
+constexpr double depenetration_speed = 2;  // m/s: out of a solid by a ball's diameter in 14 ms, which an eye follows
 
 bool finite(const Ball& b) { return b.position.allFinite() && b.velocity.allFinite() && std::isfinite(b.spin); }
 

@@ -67,6 +67,7 @@ tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
     }
     context.paths = scene.paths();
     auto program = std::make_shared<Program>();
+    program->catalog = scene.shared_catalog();
     program->layers = context.layers;
     program->materials = compile_materials(scene);
     program->physics = compile_physics(scene);

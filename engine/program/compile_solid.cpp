@@ -117,7 +117,7 @@ int Emitter::with_neighbours(int child, const sdf::Lattice& lattice, NodeId orig
     if (below.exactness.outside != Side::exact) child = by_its_boundary(child);
     const sdf::Repeat<double> around{.count = {2.0 * columns + 1, 2.0 * rows + 1}, .step = {lattice.step.x(), lattice.step.y()}};
     const NodeType& type = *scene_.catalog().find(sdf::Repeat<double>::describe().meta.key);
-    return emit(*type.kernels, pack(type, values_of(around)), origin, field_from_op, {child});
+    return emit(*type.kernels, store(around), origin, field_from_op, {child});
 }
 
 int Emitter::emit_part_shape(const Node& node, const Similarity& field_from_node) {
@@ -298,10 +298,8 @@ Field compile_default_domain(CompileContext& context, LayerMask layers) {
     const auto info = load<TableInfo>(pack(*table.type, values).data());
     const sdf::Box<double> box{.size = info.size};
     const NodeType& type = *context.scene.catalog().find(sdf::Box<double>::describe().meta.key);
-    std::vector<double> block = pack(type, values_of(box), type.kernels->derived_count);
-    type.kernels->derive(block.data());
     const Similarity world_from_box = Similarity::translation(0.5 * Vec2(info.size.x, info.size.y));
-    const int shape = emitter.emit(*type.kernels, std::move(block), table.id, world_from_box, {});
+    const int shape = emitter.emit(*type.kernels, store(box), table.id, world_from_box, {});
     emitter.emit_implied<sdf::Complement>(table.id, world_from_box, {shape});
     finish(field, table.id, layers, true, true);
     return field;

@@ -14,6 +14,8 @@
 
 namespace pinfield {
 
+class Catalog;
+
 /// Bit i: the i-th layer of Program::layers; bit 0 is the ground layer, where balls start.
 using LayerMask = std::uint32_t;
 inline constexpr LayerMask ground_layer = 1;
@@ -94,6 +96,7 @@ struct Sensor {
 };
 
 struct Program {
+    std::shared_ptr<const Catalog> catalog;  ///< whose types the parts are of
     Field fixed;  ///< static solids, domain included, in the world's frame
     std::vector<Mover> movers;
     std::vector<Sensor> sensors;

@@ -1,8 +1,9 @@
-// Reads a described struct out of a packed block (see pack() in node_type.h). Over any scalar, so it may enter a SIMD unit:
+// Between a described struct and its packed block (see pack() in node_type.h). Over any scalar, so it may enter a SIMD unit:
 // everything here is a template over the node, which carries its scalar in its name.
 #pragma once
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "engine/core/point.h"
 
@@ -48,6 +49,17 @@ inline void load_member(M T::*member, T& node, const double* block, int& slot) {
     }
 }
 
+template <class M>
+inline void store_member(const M& value, std::vector<double>& block) {
+    static_assert(!is_point_list<M> && !is_choice_list<M>, "lists are packed by pack()");
+    if constexpr (is_point<M>) {
+        block.push_back(value.x);
+        block.push_back(value.y);
+    } else if constexpr (std::is_arithmetic_v<M> || std::is_enum_v<M>) {
+        block.push_back(static_cast<double>(value));
+    }  // texts and names are not packed
+}
+
 }  // namespace detail
 
 /// A node may keep values computed once from its fields: `static constexpr auto derived()` returns a tuple of members
@@ -82,6 +94,19 @@ inline T load(const double* block) {
     if constexpr (HasDerived<T>)
         std::apply([&](const auto&... member) { (detail::load_member(member, node, block, slot), ...); }, T::derived());
     return node;
+}
+
+/// The packed block of a node without lists, derived values included: what load() reads back.
+template <class T>
+inline std::vector<double> store(T node) {
+    static constexpr auto description = T::describe();
+    std::vector<double> block;
+    std::apply([&](const auto&... f) { (detail::store_member(node.*f.member, block), ...); }, description.fields);
+    if constexpr (HasDerived<T>) {
+        node.derive();
+        std::apply([&](const auto&... member) { (detail::store_member(node.*member, block), ...); }, T::derived());
+    }
+    return block;
 }
 
 /// Runs T::derive() on a block whose fields are packed and writes the derived values into it.

@@ -16,10 +16,7 @@ namespace {
 template <template <class> class N>
 CustomaryShape shape_block(const N<double>& node) {
     const NodeType& type = sdf::built_in_type(N<double>::describe().meta.key);
-    const sdf::Kernels& kernels = *type.kernels;
-    CustomaryShape out{&kernels, pack(type, values_of(node), kernels.derived_count), {}};
-    kernels.derive(out.params.data());
-    return out;
+    return {type.kernels, store(node), {}};
 }
 
 template <class P>

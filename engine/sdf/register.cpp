@@ -17,10 +17,11 @@ struct BuiltIn {
 
 BuiltIn all_families() {
     BuiltIn out;
-    for (const Family& family : families) {
+    for (const Family& family : families()) {
         const std::size_t first = out.kernels.size();
         family.add(out.types, out.kernels);
         const std::size_t count = out.kernels.size() - first;
+        if (!family.fill_avx2) continue;
         std::vector<PacketKernels> avx2(count);
         family.fill_avx2(avx2.data());
         for (std::size_t i = 0; i < count; ++i) at(out.kernels[first + i].packets, Isa::avx2) = avx2[i];

@@ -19,6 +19,20 @@ TEST_CASE("a table without a domain is a box of its size, solid outside") {
     CHECK(program->fixed.solids[0].origin == scene.table().id);
 }
 
+TEST_CASE("a program holds the catalog that its parts' types are in") {
+    ProgramPtr program;
+    {
+        const auto own = std::make_shared<const Catalog>(built_in_catalog());
+        Scene scene(own);
+        scene.add(*own->find("flipper"));
+        program = compiled(scene);
+        CHECK(program->catalog == own);
+    }
+    CHECK(program->catalog.use_count() == 1);
+    CHECK(program->parts[0].type == program->catalog->find("flipper"));
+    CHECK(program->parts[0].is<parts::Flipper>());
+}
+
 TEST_CASE("gravity in the plane is 9.81 times the sine of the slope, downwards") {
     Scene scene(catalog());
     set(scene.table(), "slope", 30.0);

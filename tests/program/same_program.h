@@ -104,7 +104,7 @@ bool same(const T& a, const T& b) {
 
 /// Empty, or the first thing that differs.
 inline std::string difference(const Program& a, const Program& b) {
-    const auto& [fixed, movers, sensors, parts, materials, inputs, layers, physics, size, name] = a;
+    const auto& [catalog, fixed, movers, sensors, parts, materials, inputs, layers, physics, size, name] = a;
     if (!same(fixed.ops, b.fixed.ops)) return "ops";
     if (!same(fixed.solids, b.fixed.solids)) return "solids";
     if (!same(fixed.pieces, b.fixed.pieces)) return "pieces";
@@ -115,6 +115,7 @@ inline std::string difference(const Program& a, const Program& b) {
     if (!same(materials, b.materials)) return "materials";
     if (!same(physics, b.physics)) return "physics";
     if (inputs != b.inputs || layers != b.layers || !same(size, b.size) || name != b.name) return "the rest";
+    if (catalog != b.catalog) return "catalog";
     return {};
 }
 
