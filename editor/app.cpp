@@ -27,12 +27,6 @@ std::string character_of(std::string_view key) {
     return key == "Escape" ? "Esc" : std::string(key);
 }
 
-double round_spacing(double pixels_per_metre) {
-    for (const double spacing : {1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 2e-2, 5e-2, 0.1, 0.2})
-        if (spacing * pixels_per_metre >= 9) return spacing;
-    return 0.5;
-}
-
 std::string window_title(const Document& document) {
     const std::string& path = document.path();
     const std::string name = path.empty() ? "Untitled" : path.substr(path.find_last_of('/') + 1);
@@ -187,7 +181,6 @@ void App::paint() {
 
     TableLook look;
     look.isolines = state_.view.style == ViewStyle::isolines;
-    look.line_spacing = round_spacing(canvas.pixels_per_metre);
     look.materials = material_colors(*program);
     look.floor_low = palette::hex(0x243447).rgb();
     look.floor_high = palette::hex(0x1d2739).rgb();

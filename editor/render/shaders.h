@@ -21,7 +21,7 @@ void main() {
 )";
 
 /// The static field and the movers. A color is looked up by material; light comes from the upper left and its shadow is
-/// read from the distance field itself, a step towards the light.
+/// read from the distance field itself, a step towards the light. Preceded by isolines::isoline_color_source.
 inline constexpr const char* field_fragment = R"(
 in vec2 at;
 in vec2 pixel;
@@ -44,24 +44,6 @@ uniform float spacing;         // of isolines, metres
 out vec4 color;
 
 float distance_at(vec2 p) { return texture(distances, p).r; }
-
-vec4 lines(float d) {
-    float ppm = pixels_per_metre;
-    // As `pinfield render --mode isolines` and the pages of docs/nodes have it: solids blue, free space like sand.
-    vec3 free_near = vec3(0.47, 0.31, 0.14), free_far = vec3(0.17, 0.12, 0.08);
-    vec3 solid_near = vec3(0.13, 0.25, 0.36), solid_far = vec3(0.055, 0.085, 0.13);
-    float fade = 1.0 - exp(-abs(d) / 0.045);
-    vec3 c = d > 0.0 ? mix(free_near, free_far, fade) : mix(solid_near, solid_far, fade);
-    float s = d / spacing;
-    float to_line = abs(s - floor(s + 0.5)) * spacing * ppm;
-    float tenth = s / 5.0;
-    float to_fifth = abs(tenth - floor(tenth + 0.5)) * 5.0 * spacing * ppm;
-    vec3 ink = d > 0.0 ? vec3(0.98, 0.72, 0.36) : vec3(0.46, 0.74, 0.93);
-    c = mix(c, ink, 0.26 * (1.0 - smoothstep(0.3, 1.1, to_line)));
-    c = mix(c, ink, 0.34 * (1.0 - smoothstep(0.4, 1.3, to_fifth)));
-    c = mix(c, vec3(0.97, 0.96, 0.93), 1.0 - smoothstep(0.7, 1.7, abs(d) * ppm));
-    return vec4(c, 1.0);
-}
 
 float rounded_box(vec2 p, vec2 half_size, float r) {
     vec2 q = abs(p) - half_size + r;
@@ -91,7 +73,6 @@ void main() {
     float shade = 0.52 * (1.0 - smoothstep(-0.0035, 0.0035, distance_at(at + 0.0075 * towards_light)));
 
     if (mover == 1) {
-        if (isolines == 1) { color = cover * vec4(lines(d).rgb, 1.0); return; }
         float alpha = max(cover, shade * 0.9);
         vec3 c = mix(vec3(0.0), solid_color(base, d, slope), cover);
         color = vec4(c * cover, alpha);      // premultiplied
@@ -102,8 +83,8 @@ void main() {
     vec2 middle = 0.5 * table;
     if (isolines == 1) {
         // Beyond the table the field goes on for ever, but it is not what one looks at.
-        float beyond = smoothstep(0.0, 0.05, rounded_box(world - middle, middle, 0.006));
-        color = vec4(mix(lines(d).rgb, backdrop.rgb, 0.88 * beyond), 1.0);
+        float beyond = smoothstep(0.0, 0.05, rounded_box(world - middle, middle, 0.0));
+        color = vec4(mix(isoline_color(d, spacing, 1.0 / pixels_per_metre), backdrop.rgb, 0.88 * beyond), 1.0);
         return;
     }
     float height = clamp(world.y / max(table.y, 1e-6), 0.0, 1.0);

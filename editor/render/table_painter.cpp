@@ -1,9 +1,11 @@
 #include "editor/render/table_painter.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "editor/render/shaders.h"
+#include "engine/program/isolines.h"
 
 namespace pinfield {
 
@@ -35,7 +37,7 @@ Box2 mover_window(const Mover& mover) {
 
 TablePainter::TablePainter(const Gl& gl)
     : gl_(gl),
-      field_shader_(gl, shaders::quad_vertex, shaders::field_fragment),
+      field_shader_(gl, shaders::quad_vertex, std::string(isolines::isoline_color_source) + shaders::field_fragment),
       ball_shader_(gl, shaders::quad_vertex, shaders::ball_fragment),
       quads_(gl),
       table_(gl) {}
@@ -103,7 +105,7 @@ void TablePainter::prepare(const TableLook& look, const Canvas& canvas, const Fi
     field_shader_.set("metres_per_texel", metres_per_texel);
     field_shader_.set("pixels_per_metre", canvas.pixels_per_metre);
     field_shader_.set("isolines", look.isolines ? 1 : 0);
-    field_shader_.set("spacing", look.line_spacing);
+    field_shader_.set("spacing", isolines::spacing(1 / canvas.pixels_per_metre));
     texture.bind();
 }
 

@@ -25,7 +25,6 @@ struct MoverPlace {
 
 struct TableLook {
     bool isolines = false;
-    double line_spacing = 0.01;        ///< of isolines, metres
     std::vector<Rgb> materials;        ///< parallel to Program::materials
     Rgb floor_low, floor_high, backdrop;
 };

@@ -10,6 +10,7 @@
 #include "engine/core/numbers.h"
 #include "engine/io/png.h"
 #include "engine/physics/mechanisms/mechanism.h"
+#include "engine/program/isolines.h"
 #include "engine/program/raster.h"
 
 namespace pinfield::cli {
@@ -68,9 +69,9 @@ void render(const Options& options) {
     rasterize(program.fixed, ground_layer, isa, raster);
     for (std::size_t i = 0; i < program.movers.size(); ++i)
         rasterize_over(program.movers[i], world_from_resting_mover(program, static_cast<int>(i)), isa, raster);
-    const auto style = options.mode == "isolines" ? RasterStyle::isolines : RasterStyle::shaded;
-    const std::vector<unsigned char> rgb = colorize(raster, program, style);
-
+    const std::vector<unsigned char> rgb = options.mode == "isolines"
+                                               ? isoline_picture(raster, isolines::spacing(raster.metres_per_pixel()))
+                                               : shaded_picture(raster, program);
     value_or_stop(write_png(options.out, size.width, size.height, rgb));
 }
 

@@ -86,9 +86,12 @@ Impact judge(const WorldState& w, const BallWork& work, const Contact& c, const 
     const double bend = c.concave_radius > w.physics.ball_radius ? sliding * sliding / (c.concave_radius - w.physics.ball_radius) : 0.0;
     const double pushed = std::max(0.0, surface.acceleration);
     const double press = weight + bend + pushed, left = h - work.time;
+    // On a parabola a train of bounces slower than this ends within a tick. Euler hands a ball that lies a whole tick's weight before it
+    // moves, which must not bounce: 1e-9 of it is far above its rounding, and far below what is seen.
     const bool euler = w.physics.integrator == Integrator::symplectic_euler;
     const double rest = std::max(w.physics.rest_speed, weight * h * (euler ? 1 + 1e-9 : 0.5 * (1 - e)));
     impact.approach = u;
+    // A millionth of the rest speed is rounding, not even e = 1 bounces with it: at 5 nm/s a tick is 5e-5 of the usual tolerance.
     impact.collapsed = u <= 1e-6 * w.physics.rest_speed || (e < 1 && (u <= rest || 2 * u <= press * (1 - e) * left));
     impact.restitution = impact.collapsed ? 0.0 : e;
     const double hop_time = 0.5 * std::min(left, h / hops_per_tick);
@@ -339,7 +342,8 @@ void constrain(WorldState& w, std::size_t i) {
     work.acceleration = a;
 }
 
-/// Rounding may eat the gap of a ball that stays in contact: put it back to half the tolerance where nothing is in the way.
+/// Rounding may eat the gap of a ball that stays in contact: put it back to half the tolerance where nothing is in the way. Below
+/// a quarter of it the ball has crept as close as it may (ContactBand::floor_below).
 void restore_gap(WorldState& w, std::size_t i) {
     for (const Contact& c : w.contacts) {
         if (!c.collapsed || c.gap >= 0.25 * w.band.tolerance) continue;
@@ -362,6 +366,7 @@ void respond(WorldState& w, std::size_t i, const Contact& first) {
         closing = false;
         for (Contact& c : w.contacts)
             if (resolve(w, i, c, false)) closing = true;
+        // Surfaces that do not push a ball into each other are done in one round. What still closes after three is a wedge.
         if (closing && round >= 3 && settle_in_wedge(w, i)) break;
     }
     rest_in_wedge(w, i);

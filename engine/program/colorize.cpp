@@ -1,4 +1,4 @@
-// A raster's colors on the CPU: what `pinfield render` writes. The editor's shader follows the same recipe on the GPU.
+// A raster's colors on the CPU: what `pinfield render` writes. The editor shades solids in a way of its own; isolines look alike in both.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,6 +6,7 @@
 
 #include "engine/core/at.h"
 #include "engine/core/color.h"
+#include "engine/program/isolines.h"
 #include "engine/program/raster.h"
 
 namespace pinfield {
@@ -32,7 +33,6 @@ void store(const Rgb& c, unsigned char* pixel) {
 /// The theme: a night-blue playfield, slate walls. Blue against sand stays apart for every common color blindness.
 const Rgb playfield_low = from_srgb({22, 30, 44}), playfield_high = from_srgb({36, 50, 70});
 const Rgb wall = from_srgb({104, 121, 143});
-const Rgb band_outside = from_srgb({214, 164, 92}), band_inside = from_srgb({86, 148, 205}), zero_line = from_srgb({250, 248, 240});
 
 struct Sampler {
     const Raster& raster;
@@ -82,34 +82,30 @@ Rgb shaded(const Sampler& s, int x, int y, const std::vector<Rgb>& materials) {
     return out;
 }
 
-/// Bands every 10 mm with a line each, the zero line white; darker towards the outline, so that depth can be read.
-Rgb isolines(const Sampler& s, int x, int y) {
-    const float d = s.distance(x, y), spacing = 0.010f;
-    const float away = std::fabs(d);
-    Rgb out = d < 0 ? band_inside : band_outside;
-    out *= 0.55f + 0.45f * smoothstep(0, 0.06f, away);
-    const float phase = away / spacing - std::floor(away / spacing + 0.5f);
-    const float line = 1 - smoothstep(0.6f * s.pixel, 1.4f * s.pixel, std::fabs(phase) * spacing);
-    out *= 1 - 0.35f * line;
-    const float zero = 1 - smoothstep(1.0f * s.pixel, 2.0f * s.pixel, away);
-    return mix(out, zero_line, zero);
-}
-
 }  // namespace
 
-std::vector<unsigned char> colorize(const Raster& raster, const Program& program, RasterStyle style) {
+std::vector<unsigned char> shaded_picture(const Raster& raster, const Program& program) {
     std::vector<Rgb> materials;
     for (const MaterialRecord& material : program.materials) {
         const std::optional<Color> color = parse_color(material.color);
         materials.push_back(color ? from_srgb(*color) : wall);
     }
-    const Sampler sampler{raster, static_cast<float>(raster.window.size().x() / raster.width)};
+    const Sampler sampler{raster, static_cast<float>(raster.metres_per_pixel())};
     std::vector<unsigned char> image(3 * raster.distance.size());
     for (int y = 0; y < raster.height; ++y)
-        for (int x = 0; x < raster.width; ++x) {
-            const Rgb color = style == RasterStyle::shaded ? shaded(sampler, x, y, materials) : isolines(sampler, x, y);
-            store(color, image.data() + 3 * (y * raster.width + x));
-        }
+        for (int x = 0; x < raster.width; ++x)
+            store(shaded(sampler, x, y, materials), image.data() + 3 * (y * raster.width + x));
+    return image;
+}
+
+std::vector<unsigned char> isoline_picture(const Raster& raster, double spacing) {
+    const auto pixel = static_cast<float>(raster.metres_per_pixel()), apart = static_cast<float>(spacing);
+    std::vector<unsigned char> image;
+    image.reserve(3 * raster.distance.size());
+    for (const float d : raster.distance) {
+        const isolines::vec3 color = isolines::isoline_color(d, apart, pixel);
+        for (const float channel : {color.x, color.y, color.z}) image.push_back(static_cast<unsigned char>(255 * channel + 0.5f));
+    }
     return image;
 }
 

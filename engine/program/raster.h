@@ -12,6 +12,8 @@ struct Raster {
     Box2 window;                    ///< world, metres
     std::vector<float> distance;    ///< metres: the least of the solids' distances, each the true one where its boundary is known
     std::vector<std::int16_t> material;  ///< of the winning solid's leaf; -1 where nothing is in reach
+
+    double metres_per_pixel() const { return window.size().x() / width; }
 };
 
 /// Samples the visible solids of a field. Quadtree over tiles: a tile keeps only solids that can win somewhere in it
@@ -21,8 +23,9 @@ void rasterize(const Field& field, LayerMask layers, sdf::Isa isa, Raster& raste
 /// Lays a mover, at its present place, over a raster of the static field (minimum of both).
 void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf::Isa isa, Raster& raster);
 
-/// Colors a raster: 3 bytes a pixel, row 0 at the top.
-enum class RasterStyle : unsigned char { shaded, isolines };
-std::vector<unsigned char> colorize(const Raster& raster, const Program& program, RasterStyle style);
+/// Its colors: 3 bytes a pixel, row 0 at the top.
+std::vector<unsigned char> shaded_picture(const Raster& raster, const Program& program);
+/// The distances themselves, in the colors of isolines.h; `spacing` in metres.
+std::vector<unsigned char> isoline_picture(const Raster& raster, double spacing);
 
 }  // namespace pinfield

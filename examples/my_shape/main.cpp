@@ -30,7 +30,7 @@ bool draw(const Program& program, const std::string& path) {
     raster.height = static_cast<int>(program.size.y() * pixels_per_metre);
     raster.window = {{0, 0}, program.size};
     rasterize(program.fixed, ground_layer, sdf::best_isa(), raster);
-    const auto written = write_png(path, raster.width, raster.height, colorize(raster, program, RasterStyle::shaded));
+    const auto written = write_png(path, raster.width, raster.height, shaded_picture(raster, program));
     if (!written) fmt::print(stderr, "{}\n", written.error().message);
     return written.has_value();
 }

@@ -77,18 +77,17 @@ void bench_raster(const Program& program, const std::string& picture) {
                    isa == sdf::Isa::avx2 ? "raster 1024 x 1024, avx2" : "raster 1024 x 1024, sse2", 1e3 * t);
     }
     std::vector<unsigned char> rgb;
-    fmt::print("{:<44} {:8.2f} ms\n", "colorize 1024 x 1024",
-               1e3 * median_time(1, [&] { rgb = colorize(raster, program, RasterStyle::shaded); }));
+    fmt::print("{:<44} {:8.2f} ms\n", "shaded picture 1024 x 1024",
+               1e3 * median_time(1, [&] { rgb = shaded_picture(raster, program); }));
     if (picture.empty()) return;
     raster.height = 1024;
     raster.width = static_cast<int>(1024 * program.size.x() / program.size.y());
-    for (const RasterStyle style : {RasterStyle::shaded, RasterStyle::isolines}) {
-        rasterize(program.fixed, ground_layer, sdf::best_isa(), raster);
-        for (const Mover& mover : program.movers)
-            rasterize_over(mover, Similarity{mover.cosine, mover.sine, 1, false, mover.pivot}, sdf::best_isa(), raster);
-        rgb = colorize(raster, program, style);
-        const auto written = write_png(picture + (style == RasterStyle::shaded ? "_shaded.png" : "_isolines.png"),
-                                       raster.width, raster.height, rgb);
+    rasterize(program.fixed, ground_layer, sdf::best_isa(), raster);
+    for (const Mover& mover : program.movers)
+        rasterize_over(mover, Similarity{mover.cosine, mover.sine, 1, false, mover.pivot}, sdf::best_isa(), raster);
+    for (const bool shaded : {true, false}) {
+        rgb = shaded ? shaded_picture(raster, program) : isoline_picture(raster, 0.010);
+        const auto written = write_png(picture + (shaded ? "_shaded.png" : "_isolines.png"), raster.width, raster.height, rgb);
         if (!written) fmt::print("{}\n", written.error().message);
     }
 }

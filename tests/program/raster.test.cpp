@@ -125,6 +125,9 @@ TEST_CASE("a window without solids is empty and still has a color") {
     Raster raster{20, 10, Box2::of({0, 0}, {0.2, 0.1}), {}, {}};
     rasterize(program.fixed, ground_layer, sdf::best_isa(), raster);
     CHECK(raster.material[0] == -1);
-    CHECK(colorize(raster, program, RasterStyle::shaded).size() == 600);
-    CHECK(colorize(raster, program, RasterStyle::isolines).size() == 600);
+    CHECK(shaded_picture(raster, program).size() == 600);
+    const auto empty = isoline_picture(raster, 0.01);
+    CHECK(empty.size() == 600);
+    raster.distance.assign(200, 5000);
+    CHECK(isoline_picture(raster, 0.01) == empty);
 }

@@ -44,7 +44,7 @@ Result<bool> draw_example(const std::string& scene_path, const std::shared_ptr<c
     Raster raster{pixels * samples, pixels * samples, Box2::of({0, 0}, size), {}, {}};
     // The baseline instruction set: the same picture from every machine.
     rasterize((*program)->fixed, ground_layer, sdf::Isa::sse2, raster);
-    return write_png(png_path, pixels, pixels, shrunk(colorize(raster, **program, RasterStyle::isolines)));
+    return write_png(png_path, pixels, pixels, shrunk(isoline_picture(raster, 0.010)));
 }
 
 }  // namespace pinfield::conformance
