@@ -57,6 +57,8 @@ TEST_CASE("all ids come in file order, parents before children") {
 
 TEST_CASE("a node without a material of its own has its nearest ancestor's, else the default") {
     Scene scene(catalog());
+    scene.add_material("rubber");
+    scene.add_material("steel");
     const NodeId outer = add(scene, "union").id, middle = add(scene, "union", outer).id,
                  leaf = add(scene, "circle", middle).id;
     CHECK(scene.material_name(leaf) == "default");
