@@ -8,6 +8,10 @@ target_include_directories(pinfield_options INTERFACE ${PROJECT_SOURCE_DIR})
 # A recorded game must replay to the same bits from every compiler and every processor, so nothing is fused.
 target_compile_options(pinfield_options INTERFACE -ffp-contract=off)
 
+# The bodies of tests and the reading of a command line need not be fast themselves: a quarter of their compile time (engine/DECISIONS.md 34).
+add_library(pinfield_test_options INTERFACE)
+target_compile_options(pinfield_test_options INTERFACE $<$<CONFIG:Release>:-O1>)
+
 # Bounds checks in the standard library, where the build is for finding mistakes and not for speed.
 target_compile_definitions(pinfield_options INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 

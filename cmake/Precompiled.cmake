@@ -14,6 +14,7 @@ endfunction()
 pinfield_precompile(engine "" "")
 if(PINFIELD_TESTS)
     pinfield_precompile(tests Catch2::Catch2 <catch2/catch.hpp>)
+    target_link_libraries(pinfield_precompiled_tests PRIVATE pinfield_test_options)
 endif()
 
 function(pinfield_precompiled target set)

@@ -15,6 +15,17 @@ const std::vector<Action>& all_actions() {
 
         {"edit.undo", "Undo", "Edit", "Ctrl+Z", "Take the last change back; during a drag, the drag."},
         {"edit.redo", "Redo", "Edit", "Ctrl+Shift+Z", "Do again what was undone."},
+        {"edit.cut", "Cut", "Edit", "Ctrl+X", "Take the selected nodes out, as YAML text."},
+        {"edit.copy", "Copy", "Edit", "Ctrl+C", "Copy the selected nodes as YAML text, with their comments."},
+        {"edit.paste", "Paste", "Edit", "Ctrl+V", "Put copied nodes, or YAML from anywhere, into the middle of the view."},
+        {"edit.paste_in_place", "Paste in place", "Edit", "Ctrl+Shift+V", "Put copied nodes where they were copied from."},
+        {"edit.duplicate", "Duplicate", "Edit", "Ctrl+D", "Copy the selected nodes beside themselves."},
+        {"edit.delete", "Delete", "Edit", "Delete", "Take the selected nodes out, with all in them."},
+        {"edit.select_all", "Select all", "Edit", "Ctrl+A", "Select every node of the top level."},
+        {"edit.group", "Group", "Edit", "Ctrl+G", "Put the selected nodes into a group of their own."},
+        {"edit.unwrap", "Unwrap", "Edit", "Ctrl+Shift+G", "Take the children out of a group or operator; they stay where they are."},
+        {"edit.move_up", "Move up", "Edit", "Ctrl+Up", "Put the selected node before the one above it."},
+        {"edit.move_down", "Move down", "Edit", "Ctrl+Down", "Put the selected node behind the one below it."},
         {"edit.deselect", "Deselect", "Edit", "Esc", "Select nothing; during a drag, take it back."},
 
         {"play.toggle", "Play or pause", "Play", "F5", "Let the table run, or hold it."},

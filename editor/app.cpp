@@ -196,10 +196,10 @@ void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> 
         const NodeId node = at(program->parts, sensor.part).origin;
         outline_painter_.draw(program, places, node, {palette::teal.rgb(), 0.45, 1.2 * pixel, 0.04, 0.10}, canvas);
     }
-    if (ui_.hovered && ui_.hovered != state_.selection && !ui_.drag.active())
+    if (ui_.hovered && !state_.selection.contains(ui_.hovered) && !ui_.drag.active())
         outline_painter_.draw(program, places, ui_.hovered, {palette::text.rgb(), 0.75, 1.4 * pixel, 0.06, 0}, canvas);
-    if (state_.selection)
-        outline_painter_.draw(program, places, state_.selection, {palette::accent.rgb(), 1, 2.2 * pixel, 0.12, 0}, canvas);
+    for (const NodeId node : state_.selection.nodes())
+        outline_painter_.draw(program, places, node, {palette::accent.rgb(), 1, 2.2 * pixel, 0.12, 0}, canvas);
 }
 
 Result<bool> App::screenshot(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/keys.h"
+#include "engine/scene/validate.h"
 
 namespace pinfield::editor {
 namespace {
@@ -130,9 +131,59 @@ void deselect(AppState& state) {
 }
 
 void frame_selection(AppState& state) {
-    if (state.selection) state.view.frame(bounds_of(state, state.selection).grown(0.02));
+    Box2 box;
+    for (const NodeId node : state.selection.nodes()) box = box.merged(bounds_of(state, node));
+    if (!state.selection.empty()) state.view.frame(box.grown(0.02));
     else run(state, "view.all");
 }
+
+void delete_selection(AppState& state) { take(state, remove_nodes(state.document, state.selection.nodes()), "Deleted"); }
+
+/// Copies lie a little beside what they were made of, so that both are seen.
+constexpr double beside = 0.02;  // metres
+
+void duplicate(AppState& state) {
+    take(state, duplicate_nodes(state.document, state.selection.nodes(), {beside, -beside}), "Duplicated");
+}
+
+bool copy(AppState& state) {
+    Result<std::string> text = copied_text(state.document, state.selection.nodes());
+    if (!text) return say(state, text.error().message, true), false;
+    state.clipboard = std::move(*text);
+    say(state, "Copied");
+    return true;
+}
+
+void cut(AppState& state) {
+    if (copy(state)) take(state, remove_nodes(state.document, state.selection.nodes()), "Cut");
+}
+
+void paste(AppState& state) {
+    const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
+    take(state, paste_text(state.document, state.clipboard, spot, state.view.centre), "Pasted");
+}
+
+void paste_in_place(AppState& state) {
+    const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
+    take(state, paste_text(state.document, state.clipboard, spot, {}), "Pasted");
+}
+
+void select_all(AppState& state) { state.selection = Selection(state.document.scene().roots()); }
+
+void group(AppState& state) { wrap_selection(state, *state.catalog->find("group")); }
+void unwrap(AppState& state) { take(state, unwrap_nodes(state.document, state.selection.nodes()), "Unwrapped"); }
+
+/// One place up or down among its siblings.
+void shift_selection(AppState& state, int by) {
+    const Scene& scene = state.document.scene();
+    const std::vector<NodeId> chosen = outermost(scene, state.selection.nodes());
+    if (chosen.size() != 1) return say(state, "Select one node to move it", true);
+    const int index = scene.index_of(chosen[0]) + by;
+    if (index < 0 || index >= static_cast<int>(scene.siblings(chosen[0]).size())) return;
+    take(state, move_nodes(state.document, chosen, {scene.find(chosen[0])->parent, index + (by > 0 ? 1 : 0)}, true), "Moved");
+}
+
+bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
 
 struct Handler {
     std::string_view action;
@@ -154,6 +205,17 @@ constexpr Handler handlers[] = {
     {"edit.undo", [](const AppState& s) { return s.document.can_undo() || s.document.previewing(); }, undo},
     {"edit.redo", [](const AppState& s) { return s.document.can_redo() && !s.document.previewing(); }, redo},
     {"edit.deselect", always, deselect},
+    {"edit.cut", has_selection, cut},
+    {"edit.copy", has_selection, [](AppState& s) { copy(s); }},
+    {"edit.paste", [](const AppState& s) { return !s.clipboard.empty(); }, paste},
+    {"edit.paste_in_place", [](const AppState& s) { return !s.clipboard.empty(); }, paste_in_place},
+    {"edit.duplicate", has_selection, duplicate},
+    {"edit.delete", has_selection, delete_selection},
+    {"edit.select_all", always, select_all},
+    {"edit.group", has_selection, group},
+    {"edit.unwrap", has_selection, unwrap},
+    {"edit.move_up", has_selection, [](AppState& s) { shift_selection(s, -1); }},
+    {"edit.move_down", has_selection, [](AppState& s) { shift_selection(s, 1); }},
     {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
     {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},
     {"play.step", always, [](AppState& s) { s.session.single_step(); }},
@@ -210,16 +272,37 @@ void open_file(AppState& state, const std::string& path) {
     if (!blocked(state, "file.open")) guard(state, "file.open", path);
 }
 
-bool edit(AppState& state, const Edit& change, const std::string& label) {
+bool edit(AppState& state, const SetField& change, const std::string& label) {
     const std::optional<std::string> why = state.document.edit(change, label);
     if (why) say(state, *why, true);
     else say(state, label);
     return !why;
 }
 
+bool take(AppState& state, const Outcome& outcome, const std::string& done) {
+    if (outcome.refusal) return say(state, *outcome.refusal, true), false;
+    state.selection = Selection(outcome.nodes);
+    say(state, state.document.undo_label() ? *state.document.undo_label() : done);
+    return true;
+}
+
+void add_node(AppState& state, const NodeType& type) {
+    const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
+    const bool part = type.meta.kind == NodeKind::part;
+    // A part stands at the top level or in a group, whatever is selected.
+    Spot allowed = spot;
+    while (part && allowed.parent && misplaced_part(type, state.document.scene().find(allowed.parent)->type, {}))
+        allowed = {state.document.scene().find(allowed.parent)->parent, state.document.scene().index_of(allowed.parent) + 1};
+    take(state, insert_new(state.document, type, allowed, state.view.centre), "Added");
+}
+
+void wrap_selection(AppState& state, const NodeType& type) {
+    take(state, wrap_nodes(state.document, state.selection.nodes(), type), "Wrapped");
+}
+
 void advance(AppState& state, int ticks) {
     state.session.follow(state.document);
-    if (state.selection && !state.document.scene().find(state.selection)) state.selection = {};
+    state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     state.session.advance(ticks);
 }
 

@@ -6,7 +6,9 @@
 
 #include "editor/actions.h"
 #include "editor/document.h"
+#include "editor/selection.h"
 #include "editor/session.h"
+#include "editor/structure_tools.h"
 #include "editor/view.h"
 
 namespace pinfield::editor {
@@ -26,7 +28,8 @@ struct AppState {
     Document document;
     Session session;
     View view;
-    NodeId selection;
+    Selection selection;
+    std::string clipboard;      ///< what was cut or copied: YAML; a window shares it with other programs
     std::optional<Prompt> prompt;
     std::string message;        ///< status line; what the last action said
     bool message_is_problem = false;
@@ -45,7 +48,13 @@ void run(AppState& state, std::string_view action);
 /// Opens a file in place of the document (a drop, a recent file), after asking about unsaved work.
 void open_file(AppState& state, const std::string& path);
 /// Applies one edit as one undo step; a refusal becomes the message. True when it was applied.
-bool edit(AppState& state, const Edit& change, const std::string& label);
+bool edit(AppState& state, const SetField& change, const std::string& label);
+/// Puts a new node of this type beside the selection, in the middle of the view, and selects it.
+void add_node(AppState& state, const NodeType& type);
+/// Puts the selected nodes into a new node of this type.
+void wrap_selection(AppState& state, const NodeType& type);
+/// Selects what a structural edit has left, or says why there was none. True when it was done.
+bool take(AppState& state, const Outcome& outcome, const std::string& done);
 /// Lets the running table take what changed, then advances it: once a frame.
 void advance(AppState& state, int ticks);
 /// Follows the file when it was changed outside: now and then.

@@ -17,11 +17,22 @@
 namespace pinfield::editor {
 namespace {
 
-bool same_field(const Edit& a, const Edit& b) { return a.node == b.node && a.field == b.field; }
+bool same_field(const SetField& a, const SetField& b) { return a.node == b.node && a.field == b.field; }
 
-bool changes(const Scene& scene, const Edit& edit) {
+bool changes(const Scene& scene, const SetField& edit) {
     const FieldSlot& slot = at(scene.find(edit.node)->fields, edit.field);
     return slot.is_explicit != edit.is_explicit || !identical(slot.value, edit.value);
+}
+
+/// Fields one by one where there is nothing else, so that the running table can be patched.
+std::vector<SceneChange> changes_of(std::span<const Edit> edits) {
+    std::vector<SceneChange> out;
+    for (const Edit& edit : edits) {
+        const auto* field = std::get_if<SetField>(&edit);
+        if (!field) return {SceneChange{true, {}, 0}};
+        out.push_back({false, field->node, field->field});
+    }
+    return out;
 }
 
 }  // namespace
@@ -57,12 +68,12 @@ void Document::take(Reading reading, const Scene* ids_from) {
     reading_ = std::make_shared<const Reading>(std::move(reading));
 }
 
-std::optional<std::string> Document::preview(const Edit& edit) {
+std::optional<std::string> Document::preview(const SetField& edit) {
     if (auto why = why_invalid(scene(), edit)) return why;
     if (!previewed_) previewed_ = std::make_shared<Scene>(reading_->scene);
     apply(*previewed_, edit);
     const auto known =
-        std::find_if(preview_.begin(), preview_.end(), [&](const Edit& other) { return same_field(other, edit); });
+        std::find_if(preview_.begin(), preview_.end(), [&](const SetField& other) { return same_field(other, edit); });
     if (known != preview_.end()) *known = edit;
     else preview_.push_back(edit);
     changes_.push_back({false, edit.node, edit.field});
@@ -71,34 +82,51 @@ std::optional<std::string> Document::preview(const Edit& edit) {
 
 void Document::cancel_preview() {
     previewed_.reset();
-    for (const Edit& edit : std::exchange(preview_, {})) changes_.push_back({false, edit.node, edit.field});
+    for (const SetField& edit : std::exchange(preview_, {})) changes_.push_back({false, edit.node, edit.field});
 }
 
 std::optional<std::string> Document::commit(const std::string& label) {
     if (!previewing()) return {};
-    Step step{label, {}, {}, shared_source(), {}, {}, {}};
-    for (const Edit& edit : preview_)
-        if (changes(reading_->scene, edit)) step.forward.push_back(edit);
-    Result<PatchedText> patched = patch_for(*reading_, step.forward);
-    if (!patched || step.forward.empty()) {
+    std::vector<Edit> edits;
+    for (const SetField& edit : preview_)
+        if (changes(reading_->scene, edit)) edits.emplace_back(edit);
+    std::optional<std::string> why;
+    if (!edits.empty()) why = write(edits, label);
+    if (why || edits.empty()) {
         cancel_preview();
-        return patched ? std::nullopt : std::optional(patched.error().message);
+        return why;
     }
-    Scene scene = reading_->scene;
-    for (const Edit& edit : step.forward) step.backward.insert(step.backward.begin(), apply(scene, edit));
-    assert(same_content(patched->reading.scene, *previewed_) && "patch_for() hands out texts that read back as the edits");
-    reading_ = std::make_shared<const Reading>(std::move(patched->reading));
-    step.source_after = shared_source();
     previewed_.reset();
     preview_.clear();
-    push(std::move(step));
     return {};
 }
 
-std::optional<std::string> Document::edit(const Edit& edit, const std::string& label) {
+std::optional<std::string> Document::edit(const SetField& edit, const std::string& label) {
     cancel_preview();
     if (auto why = preview(edit)) return why;
     return commit(label);
+}
+
+std::optional<std::string> Document::edit(std::span<const Edit> edits, const std::string& label) {
+    cancel_preview();
+    if (edits.empty()) return {};
+    if (auto why = write(edits, label)) return why;
+    const std::vector<SceneChange>& made = history_.back().changes;
+    changes_.insert(changes_.end(), made.begin(), made.end());
+    return {};
+}
+
+/// Makes the text say the edits, as one step.
+std::optional<std::string> Document::write(std::span<const Edit> edits, const std::string& label) {
+    Result<PatchedText> patched = patch_for(*reading_, edits);
+    if (!patched) return patched.error().message;
+    if (patched->patches.empty()) return {};
+    Step step{label, shared_source(), {}, reading_->scene.all(), {}, changes_of(edits)};
+    reading_ = std::make_shared<const Reading>(std::move(patched->reading));
+    step.source_after = shared_source();
+    step.ids_after = reading_->scene.all();
+    push(std::move(step));
+    return {};
 }
 
 void Document::push(Step step) {
@@ -107,34 +135,26 @@ void Document::push(Step step) {
     position_ = history_.size();
 }
 
-/// Goes to a neighbouring state of the history. `replaced_by`: the scene there, for a step that replaced the whole text.
-void Document::replay(const std::vector<Edit>& edits, std::shared_ptr<const SourceText> source, const Scene* replaced_by) {
+/// Goes to a neighbouring state of the history.
+void Document::replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids) {
     Reading reading = read_table(std::move(source), catalog_);
-    if (replaced_by) {
-        take(std::move(reading), replaced_by);
-        changes_.push_back({true, {}, 0});
-        return;
-    }
-    Scene ids_from = reading_->scene;
-    for (const Edit& edit : edits) {
-        apply(ids_from, edit);
-        changes_.push_back({false, edit.node, edit.field});
-    }
-    take(std::move(reading), &ids_from);
+    reading.scene.take_ids(ids, reading_->scene);
+    reading_ = std::make_shared<const Reading>(std::move(reading));
+    changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());
 }
 
 void Document::undo() {
     if (previewing()) return cancel_preview();
     if (!can_undo()) return;
     const Step& step = history_[--position_];
-    replay(step.backward, step.source_before, step.scene_before.get());
+    replay(step, step.source_before, step.ids_before);
 }
 
 void Document::redo() {
     if (previewing()) return cancel_preview();
     if (!can_redo()) return;
     const Step& step = history_[position_++];
-    replay(step.forward, step.source_after, step.scene_after.get());
+    replay(step, step.source_after, step.ids_after);
 }
 
 const std::string* Document::undo_label() const { return can_undo() ? &history_[position_ - 1].label : nullptr; }
@@ -206,11 +226,12 @@ void Document::follow_disk(Reading reading) {
     looks_without_file_ = 0;
     broken_.reset();
     if (disk_text_ == source().text()) return;
-    Step step{"Reload", {}, {}, shared_source(), reading.scene.sources.shared_main(), std::make_shared<const Scene>(reading_->scene), {}};
-    take(std::move(reading), step.scene_before.get());
-    step.scene_after = std::make_shared<const Scene>(reading_->scene);
+    Step step{"Reload", shared_source(), reading.scene.sources.shared_main(), reading_->scene.all(), {}, {SceneChange{true, {}, 0}}};
+    const std::shared_ptr<const Reading> before = reading_;
+    take(std::move(reading), &before->scene);
+    step.ids_after = reading_->scene.all();
+    changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());
     push(std::move(step));
-    changes_.push_back({true, {}, 0});
 }
 
 std::vector<SceneChange> Document::take_changes() { return std::exchange(changes_, {}); }

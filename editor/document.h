@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ public:
 
     const SourceText& source() const { return reading_->source(); }
     const Scene& scene() const { return previewed_ ? *previewed_ : reading_->scene; }
+    /// Of the text as it is, without what is previewed.
+    const Reading& reading() const { return *reading_; }
     /// What is wrong in diagnosed(): the file as it was opened, or, while the disk holds a broken text, that text.
     const Diagnostics& diagnostics() const { return (broken_ ? broken_ : reading_)->diagnostics; }
     const Sources& diagnosed() const { return (broken_ ? broken_ : reading_)->scene.sources; }
@@ -39,7 +42,7 @@ public:
 
     /// Shows an edit without writing it: the scene changes, the text does not (a drag in progress). Several previews of one
     /// field replace each other; several fields may be previewed together. Why not, or nothing.
-    std::optional<std::string> preview(const Edit& edit);
+    std::optional<std::string> preview(const SetField& edit);
     /// Turns what is previewed into text patches and one undo step, for one reading of the text. `label` names the step ("Move pop"). When a patch is
     /// refused the preview is taken back and the reason returned. A preview that came back to where it began leaves no step.
     std::optional<std::string> commit(const std::string& label);
@@ -47,7 +50,9 @@ public:
     void cancel_preview();
     bool previewing() const { return previewed_ != nullptr; }
     /// preview() and commit() in one.
-    std::optional<std::string> edit(const Edit& edit, const std::string& label);
+    std::optional<std::string> edit(const SetField& edit, const std::string& label);
+    /// Any edits, one after the other, as one undo step. Why not, or nothing; then nothing has changed.
+    std::optional<std::string> edit(std::span<const Edit> edits, const std::string& label);
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ < history_.size(); }
@@ -73,12 +78,12 @@ public:
     std::vector<SceneChange> take_changes();
 
 private:
-    /// Edits say what became of a field, so that nodes keep their ids; a step that replaced the whole text keeps both scenes.
+    /// Ids say which node of one text is which of the other, in the order of Scene::all().
     struct Step {
         std::string label;
-        std::vector<Edit> forward, backward;
         std::shared_ptr<const SourceText> source_before, source_after;
-        std::shared_ptr<const Scene> scene_before, scene_after;
+        std::vector<NodeId> ids_before, ids_after;
+        std::vector<SceneChange> changes;
     };
 
     Document() = default;
@@ -86,7 +91,8 @@ private:
     std::shared_ptr<const SourceText> named(std::string text) const;
     const std::shared_ptr<const SourceText>& shared_source() const { return reading_->scene.sources.shared_main(); }
     void take(Reading reading, const Scene* ids_from);
-    void replay(const std::vector<Edit>& edits, std::shared_ptr<const SourceText> source, const Scene* replaced_by);
+    std::optional<std::string> write(std::span<const Edit> edits, const std::string& label);
+    void replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids);
     void follow_disk(Reading reading);
     void push(Step step);
 
@@ -98,7 +104,7 @@ private:
     int looks_without_file_ = 0;  ///< in a row
     std::vector<Step> history_;
     std::size_t position_ = 0;
-    std::vector<Edit> preview_;
+    std::vector<SetField> preview_;
     std::shared_ptr<Scene> previewed_;  ///< the scene with what is previewed; null when nothing is
     std::vector<SceneChange> changes_;
 };

@@ -55,7 +55,7 @@ bool locked(const Scene& scene, const Node& node) {
 }
 
 /// The value nearest to `target` on the way from `from` (which is valid) that why_invalid() lets pass, in whole steps.
-double last_valid(const Scene& scene, Edit edit, int component_index, double from, double target, double step) {
+double last_valid(const Scene& scene, SetField edit, int component_index, double from, double target, double step) {
     const auto valid = [&](double x) {
         edit.value = with_component(edit.value, component_index, x);
         return !why_invalid(scene, edit);
@@ -73,7 +73,7 @@ double last_valid(const Scene& scene, Edit edit, int component_index, double fro
 
 }  // namespace
 
-Edit moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2& world_delta, double grid) {
+SetField moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2& world_delta, double grid) {
     const Node& node = *scene.find(id);
     const Similarity parent_from_world = node.parent ? world_from_local(scene, node.parent).inverse() : Similarity{};
     const Vec2 delta = parent_from_world.scale * parent_from_world.direction(world_delta);
@@ -97,7 +97,7 @@ std::optional<std::string> NodeDrag::update(Document& document, const Vec2& worl
     if (!active() || !document.scene().find(node_)) return {};
     Vec2 delta = world - world_before_;
     if (axis_lock) delta[std::fabs(delta.x()) < std::fabs(delta.y()) ? 0 : 1] = 0;
-    const Edit edit = moved(document.scene(), node_, at_before_, delta, grid);
+    const SetField edit = moved(document.scene(), node_, at_before_, delta, grid);
     if (!document.previewing() && identical(edit.value, Value(at_before_))) return {};  // a click is no drag
     return document.preview(edit);
 }
@@ -165,7 +165,7 @@ void Scrub::update(Document& document, double pixels, bool fine, bool coarse) {
     const double step = scrub_step(field, from) * (coarse ? 10 : fine && !integer ? 0.1 : 1);
     const double steps = std::round(pixels / (integer ? pixels_per_integer : 1));
     if (steps == 0 && !document.previewing()) return;
-    Edit edit{node_, field_, before_, true};
+    SetField edit{node_, field_, before_, true};
     const double target = steps == 0 ? from : snapped(from + steps * step, step);
     edit.value = with_component(before_, component_, last_valid(document.scene(), edit, component_, from, target, step));
     document.preview(edit);

@@ -14,7 +14,7 @@ inline constexpr double default_grid = 0.001;
 
 /// The edit that moves a node by a world vector: its `at`, in the parent's frame, on the grid (of that frame, metres).
 /// A coordinate that does not move keeps its bits. `at_before`: where the drag began.
-Edit moved(const Scene& scene, NodeId node, const Vec2& at_before, const Vec2& world_delta, double grid);
+SetField moved(const Scene& scene, NodeId node, const Vec2& at_before, const Vec2& world_delta, double grid);
 
 /// A node being dragged: begin, update any number of times, end or cancel.
 class NodeDrag {

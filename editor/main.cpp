@@ -48,7 +48,7 @@ Result<AppState> first_state(const std::string& file) {
     return AppState(catalog, std::move(*document));
 }
 
-/// The script ready to run; nothing, with all its errors told, when it is no script.
+/// The script, ready to run; or nothing, with all its errors printed, when it is no script.
 std::optional<ScriptRunner> read_steps(const std::string& path, const std::string& text) {
     SourceText source(path, text);
     Script script = read_script(source);

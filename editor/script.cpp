@@ -50,7 +50,7 @@ std::optional<std::string> quantity(const ScriptStep& step, const AppState& stat
         if (step.field == "balls") return count(state.session.world().balls().size());
         if (step.field == "problems") return count(state.document.diagnostics().size() + state.session.problems().size());
         if (step.field == "undo_steps") return count(state.document.undo_steps());
-        if (step.field == "selection") return state.selection ? state.document.scene().path(state.selection) : std::string("none");
+        if (step.field == "selection") return state.selection.empty() ? std::string("none") : state.document.scene().path(state.selection.primary());
         return {};
     }
     const Node* node = state.document.scene().find(step.node);
@@ -142,7 +142,7 @@ ScriptRunner::Frame ScriptRunner::run(const ScriptStep& step, AppState& state, S
         case Kind::select: {
             const Node* node = state.document.scene().find(step.name);
             if (!node) return fail(fmt::format("there is no node {}", step.name));
-            state.selection = node->id;
+            state.selection.set(node->id);
             return {};
         }
     }

@@ -159,7 +159,7 @@ void points_control(const Row& row) {
 }
 
 void boolean_control(const Row& row) {
-    // A switch: its knob's place tells the state without any color.
+    // A switch: its knob's place shows the state without any color.
     const Theme& theme = row.theme();
     const bool on = std::get<bool>(row.value());
     const ImVec2 place = ImGui::GetCursorScreenPos();

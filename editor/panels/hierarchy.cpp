@@ -21,9 +21,9 @@ bool contains_word(std::string_view text, std::string_view word) {
 class Tree {
 public:
     Tree(AppState& state, Ui& ui) : state_(state), ui_(ui), scene_(state.document.scene()) {
-        for (const Node* node = scene_.find(state.selection); node && node->parent; node = scene_.find(node->parent))
+        for (const Node* node = scene_.find(state.selection.primary()); node && node->parent; node = scene_.find(node->parent))
             above_selection_.push_back(node->parent);
-        reveal_ = state.selection && state.selection != ui.revealed;
+        reveal_ = !state.selection.empty() && state.selection.primary() != ui.revealed;
     }
 
     void draw() {
@@ -40,8 +40,12 @@ public:
                 if (contains_word(title_of(node), ui_.filter) || contains_word(node.type->key(), ui_.filter)) row(node, 0, false);
             }
         }
-        if (reveal_) ui_.revealed = state_.selection;
-        if (clicked_) state_.selection = clicked_, ui_.revealed = clicked_;
+        if (reveal_) ui_.revealed = state_.selection.primary();
+        if (!clicked_) return;
+        const bool more = ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
+        if (more) state_.selection.toggle(clicked_);
+        else state_.selection.set(clicked_);
+        ui_.revealed = state_.selection.primary();
     }
 
 private:
@@ -98,7 +102,7 @@ private:
         const float width = ImGui::GetContentRegionAvail().x, height = theme.px(25);
         const float indent = theme.px(4 + 15 * static_cast<float>(depth)), arrow_width = theme.px(16);
         const bool pressed = ImGui::InvisibleButton("row", {width, height});
-        const bool hot = ImGui::IsItemHovered(), selected = state_.selection == node.id;
+        const bool hot = ImGui::IsItemHovered(), selected = state_.selection.contains(node.id);
         if (pressed) {
             if (parent && ImGui::GetIO().MousePos.x < place.x + indent + arrow_width) *open = !*open;
             else clicked_ = node.id;

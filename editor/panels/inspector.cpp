@@ -122,7 +122,7 @@ void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const Theme& theme = ui.theme;
     begin_region("##inspector", position, size, palette::panel, {theme.px(14), theme.px(12)}, ImGuiWindowFlags_None);
     ImGui::BeginChild("##fields", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    const Node* found = state.document.scene().find(state.selection);
+    const Node* found = state.document.scene().find(state.selection.primary());
     if (!found) {
         nothing_selected(theme);
     } else {

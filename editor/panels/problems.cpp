@@ -28,7 +28,7 @@ void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem,
     ImGui::PushID(index);
     if (ImGui::InvisibleButton("row", {width, height})) {
         const NodeId node = node_at(state.document.scene(), problem.where);
-        if (node) state.selection = node;
+        if (node) state.selection.set(node);
         state.message = problem.hint.empty() ? problem.message : problem.hint;
         state.message_is_problem = error;
     }

@@ -22,7 +22,9 @@ void drag_node(AppState& state, Ui& ui) {
     if (ImGui::IsItemActivated() && io.MouseDown[0] && !io.KeyAlt) {
         ui.pressed_node = pick(state, ui.mouse_world, pick_slack_pixels / state.view.pixels_per_metre);
         ui.pressed_at = ui.mouse_world;
-        state.selection = ui.pressed_node;
+        // Shift adds to the selection; pressing what is selected already keeps it, so that it can be dragged.
+        if (io.KeyShift) state.selection.toggle(ui.pressed_node);
+        else state.selection.set(ui.pressed_node);
     }
     if (!ImGui::IsItemActive()) {
         if (ui.drag.active()) tell(state, ui.drag.end(state.document));
@@ -80,7 +82,7 @@ void draw_marks(const AppState& state, const Ui& ui, ImDrawList& list) {
         if (part.sensor < 0 && (part.solid >= 0 || part.mover >= 0)) continue;
         const ImVec2 c = im(state.view.pixel_from_world(part.world_from_part.offset));
         const auto r = static_cast<float>(program.physics.ball_radius * state.view.pixels_per_metre);
-        const bool chosen = part.origin == state.selection || part.origin == ui.hovered;
+        const bool chosen = state.selection.contains(part.origin) || part.origin == ui.hovered;
         const ImU32 color = ink(chosen ? palette::accent : palette::teal.faded(0.75f));
         constexpr int dashes = 12;
         for (int i = 0; i < dashes; ++i) {
@@ -111,8 +113,8 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(position, {position.x + size.x, position.y + size.y}, true);
     draw_marks(state, ui, list);
-    if (ui.hovered && ui.hovered != state.selection && !ui.drag.active()) name_tag(state, theme, list, ui.hovered, palette::text);
-    if (state.selection) name_tag(state, theme, list, state.selection, palette::accent);
+    if (ui.hovered && !state.selection.contains(ui.hovered) && !ui.drag.active()) name_tag(state, theme, list, ui.hovered, palette::text);
+    for (const NodeId node : state.selection.nodes()) name_tag(state, theme, list, node, palette::accent);
     scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
     list.PopClipRect();
 }

@@ -3,7 +3,7 @@
 #pragma once
 #include <GL/glcorearb.h>
 
-namespace pinfield {
+namespace pinfield::editor {
 
 #define PINFIELD_GL_FUNCTIONS(X)                       \
     X(ActiveTexture, ACTIVETEXTURE)                    \
@@ -62,4 +62,4 @@ struct Gl {
     const char* shader_head = "#version 330 core\n";
 };
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

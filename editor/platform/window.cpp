@@ -14,7 +14,7 @@ static_assert(GLFW_KEY_SPACE == 32 && GLFW_KEY_GRAVE_ACCENT == 96 && GLFW_KEY_WO
 static_assert(GLFW_KEY_CAPS_LOCK == 280 && GLFW_KEY_PAUSE == 284 && GLFW_KEY_F1 == 290 && GLFW_KEY_F25 == 314);
 static_assert(GLFW_KEY_KP_0 == 320 && GLFW_KEY_KP_EQUAL == 336 && GLFW_KEY_LEFT_SHIFT == 340 && GLFW_KEY_MENU == 348);
 
-namespace pinfield {
+namespace pinfield::editor {
 
 namespace {
 
@@ -177,4 +177,4 @@ std::vector<unsigned char> Window::read_pixels(int& width, int& height) const {
     return rgb;
 }
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

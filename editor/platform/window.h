@@ -11,7 +11,7 @@
 struct GLFWwindow;
 struct GLFWcursor;
 
-namespace pinfield {
+namespace pinfield::editor {
 
 /// Something a device did, in the order it happened.
 struct WindowEvent {
@@ -77,4 +77,4 @@ private:
     CursorShape cursor_ = CursorShape::arrow;
 };
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

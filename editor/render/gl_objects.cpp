@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace pinfield {
+namespace pinfield::editor {
 
 namespace {
 
@@ -141,4 +141,4 @@ void QuadBuffer::draw() {
     gl_.BindVertexArray(0);
 }
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

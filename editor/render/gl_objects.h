@@ -6,7 +6,7 @@
 #include "editor/platform/gl.h"
 #include "engine/core/geometry.h"
 
-namespace pinfield {
+namespace pinfield::editor {
 
 struct Rgb {
     float r = 0, g = 0, b = 0;
@@ -90,4 +90,4 @@ struct Canvas {
     }
 };
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

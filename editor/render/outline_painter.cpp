@@ -6,7 +6,7 @@
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 
-namespace pinfield {
+namespace pinfield::editor {
 
 namespace {
 
@@ -103,4 +103,4 @@ bool OutlinePainter::draw(const ProgramPtr& program, std::span<const MoverPlace>
     return !pictures.empty();
 }
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

@@ -9,7 +9,7 @@
 #include "editor/render/table_painter.h"
 #include "engine/program/program.h"
 
-namespace pinfield {
+namespace pinfield::editor {
 
 struct OutlineStyle {
     Rgb color;
@@ -45,4 +45,4 @@ private:
     std::map<NodeId, std::vector<Picture>> pictures_;  ///< for this program and canvas
 };
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

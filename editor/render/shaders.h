@@ -1,7 +1,7 @@
 // Shader sources, without their first line: each compiles as GLSL 330 core and as GLSL 300 es.
 #pragma once
 
-namespace pinfield::shaders {
+namespace pinfield::editor::shaders {
 
 /// Places are pixels of the canvas, y down, from its top left corner.
 inline constexpr const char* quad_vertex = R"(
@@ -159,4 +159,4 @@ void main() {
 }
 )";
 
-}  // namespace pinfield::shaders
+}  // namespace pinfield::editor::shaders

@@ -7,7 +7,7 @@
 #include "editor/render/shaders.h"
 #include "engine/program/isolines.h"
 
-namespace pinfield {
+namespace pinfield::editor {
 
 namespace {
 
@@ -168,4 +168,4 @@ void TablePainter::draw_balls(std::span<const BallMark> balls, const Canvas& can
     }
 }
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

@@ -8,7 +8,7 @@
 #include "editor/render/gl_objects.h"
 #include "engine/program/raster.h"
 
-namespace pinfield {
+namespace pinfield::editor {
 
 /// What of a ball is drawn.
 struct BallMark {
@@ -64,4 +64,4 @@ private:
     double movers_scale_ = 0;
 };
 
-}  // namespace pinfield
+}  // namespace pinfield::editor

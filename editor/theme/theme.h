@@ -23,7 +23,7 @@ constexpr Tint hex(unsigned rgb) {
             static_cast<float>(rgb & 255u) / 255, 1};
 }
 
-// Blue against amber is told apart with every kind of color vision; meaning never rests on color alone.
+// Blue against amber can be told apart with every kind of color vision; meaning never rests on color alone.
 inline constexpr Tint backdrop = hex(0x14161a);  ///< behind the table
 inline constexpr Tint panel = hex(0x1c1f25);
 inline constexpr Tint bar = hex(0x181a1f);       ///< menu, transport, status

@@ -13,7 +13,7 @@ namespace pinfield::editor {
 /// A part of the window with a fixed place; end with ImGui::End().
 bool begin_region(const char* name, ImVec2 position, ImVec2 size, const Tint& background, ImVec2 padding, ImGuiWindowFlags more = 0);
 
-/// A thin strip between regions that changes `size` while it is dragged; `sign` tells which way grows it. Draws its own window.
+/// A thin strip between regions that changes `size` while it is dragged; `sign`: which way grows it. Draws its own window.
 void splitter(const char* name, ImVec2 position, ImVec2 size, bool vertical, float sign, float scale, float& design_size,
               float least, float most);
 

@@ -178,7 +178,7 @@ double arc_tangent(double y, double x) {
     const double across = std::fabs(x), up = std::fabs(y);
     const bool steep = up > across;
     const double larger = steep ? up : across, smaller = steep ? across : up;
-    // Equal sizes are told apart so that infinity / infinity is 1 too.
+    // Equal sizes are a case of their own, so that infinity / infinity is 1 too.
     const double ratio = larger == 0 ? 0 : smaller == larger ? 1 : smaller / larger;
     double angle = arc_tangent_of_ratio(ratio);
     if (steep) angle = half_pi - (angle - half_pi_lo);

@@ -66,7 +66,7 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
 void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNode& key, const YamlNode* list) {
     const NodeType& type = *node.type;
     if (list) read_nodes(context, scene, node.id, *list);
-    if (list && list->kind != YamlKind::sequence && !list->is_empty()) return;  // has been told of
+    if (list && list->kind != YamlKind::sequence && !list->is_empty()) return;  // is reported already
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
     if (auto wrong = wrong_child_count(type, count, context.source.place(key.span))) context.report(std::move(*wrong));
 }

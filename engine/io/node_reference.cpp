@@ -70,7 +70,7 @@ bool has_field(const NodeType& type) {
     return type.meta.kind == NodeKind::shape || type.meta.kind == NodeKind::operation;
 }
 
-/// The common fields are the same for all: they are told once, after the last node.
+/// The common fields are the same for all: they are listed once, after the last node.
 std::vector<FieldType> common_fields(const std::vector<const NodeType*>& types) {
     std::vector<FieldType> out;
     for (const NodeType* type : types) {

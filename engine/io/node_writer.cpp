@@ -20,19 +20,57 @@ void write_node(const Scene& scene, const Node& node, std::size_t indent, std::s
     for (const NodeId child : node.children) write_node(scene, *scene.find(child), indent + 6, out);
 }
 
+/// The common fields first, so that a line begins with id and place.
+template <class Write>
+std::vector<std::string> entries_if(const Node& node, Write write) {
+    std::vector<std::string> common, own;
+    for (std::size_t i = 0; i < node.fields.size(); ++i) {
+        const FieldType& field = node.type->fields[i];
+        if (std::optional<std::string> value = write(field, node.fields[i]))
+            (field.common ? common : own).push_back(fmt::format("{}: {}", field.key, *value));
+    }
+    common.insert(common.end(), own.begin(), own.end());
+    return common;
+}
+
+std::string write_item_of(const Subtree& nodes, std::size_t& next, const NodeStyle& style) {
+    const Node& node = nodes[next++];
+    std::vector<std::string> items;
+    for (std::size_t i = 0; i < node.children.size(); ++i) items.push_back(write_item_of(nodes, next, style));
+    if (!items.empty()) return write_item_around(node, items, style);
+    return fmt::format("- {}: {}", node.type->key(), flow_map(explicit_entries(node, style)));
+}
+
 }  // namespace
 
 std::string flow_map(const std::vector<std::string>& entries) { return fmt::format("{{{}}}", fmt::join(entries, ", ")); }
 
 std::vector<std::string> entries_of(const Node& node) {
-    std::vector<std::string> common, own;
-    for (std::size_t i = 0; i < node.fields.size(); ++i) {
-        const FieldType& field = node.type->fields[i];
-        if (!field.meta.required && identical(node.fields[i].value, field.initial)) continue;
-        (field.common ? common : own).push_back(fmt::format("{}: {}", field.key, write_value(field, node.fields[i].value)));
-    }
-    common.insert(common.end(), own.begin(), own.end());
-    return common;
+    return entries_if(node, [](const FieldType& field, const FieldSlot& slot) -> std::optional<std::string> {
+        if (!field.meta.required && identical(slot.value, field.initial)) return {};
+        return write_value(field, slot.value);
+    });
+}
+
+std::vector<std::string> explicit_entries(const Node& node, const NodeStyle& style) {
+    return entries_if(node, [&](const FieldType& field, const FieldSlot& slot) -> std::optional<std::string> {
+        if (!slot.is_explicit) return {};
+        return write_value(field, slot.value, style.number ? style.number(field.meta.unit) : std::string());
+    });
+}
+
+std::string write_item(const Subtree& nodes, const NodeStyle& style) {
+    std::size_t next = 0;
+    return write_item_of(nodes, next, style);
+}
+
+std::string write_item_around(const Node& node, const std::vector<std::string>& items, const NodeStyle& style) {
+    const std::string margin(style.lists.body, ' ');
+    std::string out = fmt::format("- {}:", node.type->key());
+    for (const std::string& entry : explicit_entries(node, style)) out += fmt::format("\n{}{}", margin, entry);
+    out += fmt::format("\n{}children:", margin);
+    for (const std::string& item : items) out += fmt::format("\n{}", indented_lines(item, style.lists.body + style.lists.dash));
+    return out;
 }
 
 std::string write_nodes(const Scene& scene, const std::vector<NodeId>& nodes, std::size_t indent) {

@@ -7,7 +7,7 @@
 
 namespace pinfield {
 
-/// Writes 8-bit pixels, rows from the top, 3 (RGB) or 4 (RGBA) bytes each, as told by the number of them.
+/// Writes 8-bit pixels, rows from the top, 3 (RGB) or 4 (RGBA) bytes each, which follows from their number.
 Result<bool> write_png(const std::string& path, int width, int height, const std::vector<unsigned char>& pixels);
 
 }  // namespace pinfield

@@ -22,11 +22,11 @@ std::string apply(const TextPatch& patch, const std::string& text);
 struct PatchedText {
     std::vector<TextPatch> patches;  ///< one after the other, each of what those before it left
     Reading reading;                 ///< of the text after them; its nodes have the ids they had
-    int readings = 0;                ///< how often a text was read for it: once, unless two edits touch the same bytes
+    int readings = 0;                ///< how often a table was read for it: once for all fields that do not touch, and once per other edit
 };
 
 /// The patches that make the text say what `edits`, one after the other, make of the scene, both as they were read. A changed value
-/// keeps its unit, decimals and quotes; a new field takes its neighbours' style. The patched text has been read and is the same scene with
+/// keeps its unit, decimals and quotes; a new field or node takes its neighbours' style; whole items move with their comments. The patched text has been read and is the same scene with
 /// exactly these changes; where no such patch is known, the failure says why.
 Result<PatchedText> patch_for(const Reading& now, std::span<const Edit> edits, const Limits& limits = {});
 

@@ -207,11 +207,11 @@ bool report_comma_split(ReadContext& context, const YamlNode& value) {
     if (value.kind != YamlKind::scalar || value.style != YamlStyle::plain) return false;
     if (std::count(value.text.begin(), value.text.end(), '(') <= std::count(value.text.begin(), value.text.end(), ')'))
         return false;
-    // Its own field may have told of it already.
-    const auto told = [&](const Diagnostic& d) {
+    // Its own field may have reported it already.
+    const auto reported = [&](const Diagnostic& d) {
         return d.where == context.source.place(value.span) && d.code == entry(Code::comma_split).code;
     };
-    if (std::none_of(context.diagnostics.begin(), context.diagnostics.end(), told))
+    if (std::none_of(context.diagnostics.begin(), context.diagnostics.end(), reported))
         context.report(Code::comma_split, value.span, "a comma split this expression", "quote it");
     return true;
 }

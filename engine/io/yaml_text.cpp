@@ -81,7 +81,7 @@ void check_tabs(const SourceText& source, Diagnostics& out) {
 /// The parser keeps every open bracket in a queue before it says a word about it: megabytes of them cost a gigabyte.
 /// And it copies a scalar of megabytes before its length can be judged. A comma of a list and a dash that begins a
 /// line are an event, a colon with a blank is two, unless a text or a comment holds them; whoever writes more than the
-/// limit of those is told so before the parser has spent its third of a second on them.
+/// limit of those is refused before the parser has spent its third of a second on them.
 std::optional<Diagnostic> check_costs(const SourceText& source, const Limits& limits) {
     const std::string_view text = source.text();
     const std::size_t most_open = 16 * limits.depth;

@@ -65,7 +65,7 @@ struct WorldSetup {
     ContactBand band;
 };
 
-/// For whoever watches: what the last tick told, and what was counted. Nothing in a tick reads it.
+/// For whoever watches: the events of the last tick, and what was counted. Nothing in a tick reads it.
 struct WorldReport {
     std::vector<Event> events;
     WorldStats stats;

@@ -58,15 +58,15 @@ void add_warnings(const Field& field, const Scene& scene, Diagnostics& out) {
     }
 }
 
-/// Balls start on the ground and nothing takes them elsewhere: each other layer is told of once, with the first solid on it. A domain
+/// Balls start on the ground and nothing takes them elsewhere: each other layer is reported once, with the first solid on it. A domain
 /// bounds its layer and is no obstacle.
 void add_untouched_layers(const Program& program, const Scene& scene, Diagnostics& out) {
-    LayerMask told = ground_layer;
+    LayerMask reported = ground_layer;
     for_each_field(program, [&](const Field& field) {
         for (const Solid& solid : field.solids) {
             const Node* node = scene.find(solid.origin);
-            if (!node || solid.is_domain || (solid.layers & told)) continue;
-            told |= solid.layers;
+            if (!node || solid.is_domain || (solid.layers & reported)) continue;
+            reported |= solid.layers;
             std::vector<std::string> names;
             for (std::size_t i = 0; i < program.layers.size(); ++i)
                 if (solid.layers & (LayerMask{1} << i)) names.push_back(program.layers[i]);

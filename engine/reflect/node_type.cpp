@@ -95,7 +95,7 @@ std::optional<std::string> why_invalid(const FieldType& field, const Value& valu
 std::vector<double> pack(const NodeType& type, std::span<const Value> own_values, int derived) {
     assert(static_cast<int>(own_values.size()) >= type.own_fields && "pack needs a value for every own field");
     std::vector<double> block;
-    std::vector<std::pair<std::size_t, std::size_t>> lists;  // where in the block each is told of, and which field it is
+    std::vector<std::pair<std::size_t, std::size_t>> lists;  // where in the block each is described, and which field it is
     for (std::size_t i = 0; i < static_cast<std::size_t>(type.own_fields); ++i) {
         const FieldType& field = type.fields[i];
         const Value& value = own_values[i];

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/scene/validate.h"
@@ -10,13 +12,214 @@
 namespace pinfield {
 namespace {
 
+using Reason = std::optional<std::string>;
+
 bool is_id_field(const FieldType& field) { return field.common && field.meta.meaning == Meaning::id; }
+bool is_record(const Node& node) { return node.type->meta.kind == NodeKind::record; }
+
+Reason gone() { return "the node no longer exists"; }
+
+/// Where a node may be put: the parent exists, takes children, and has the place.
+Reason why_no_place(const Scene& scene, NodeId parent, int index, int count) {
+    if (parent && !scene.find(parent)) return "the node to put it into no longer exists";
+    if (parent && scene.find(parent)->type->meta.children.max == 0)
+        return fmt::format("{} takes no children", scene.find(parent)->type->key());
+    if (index < 0 || index > count) return "there is no such place among the children";
+    return {};
+}
+
+/// The first expectation of the tests that counts the hits of something that goes by this name.
+const TableTest::Expectation* expectation_of(const Scene& scene, const std::string& name) {
+    for (const TableTest& test : scene.tests)
+        for (const TableTest::Expectation& expectation : test.expectations)
+            if (expectation.quantity == name + ".hits") return &expectation;
+    return nullptr;
+}
+
+Reason why_still_needed(const Scene& scene, const Subtree& nodes) {
+    for (const Node& node : nodes)
+        if (!is_record(node) && !node.name.empty())
+            if (const auto* expectation = expectation_of(scene, node.name))
+                return fmt::format("a test of the table expects {}: take that out first", expectation->text);
+    return {};
+}
+
+// What stands against each edit before its outcome is looked at.
+
+Reason why_impossible(const Scene& scene, const Insert& edit) {
+    if (edit.nodes.empty()) return "there is nothing to insert";
+    for (const Node& node : edit.nodes)
+        if (!node.id || scene.find(node.id)) return "a node to insert is in the scene already";
+    const bool record = is_record(edit.nodes.front());
+    return why_no_place(scene, edit.parent, edit.index,
+                        static_cast<int>(record                                    ? scene.materials().size()
+                                         : edit.parent && !scene.find(edit.parent) ? 0
+                                                                                   : scene.children_of(edit.parent).size()));
+}
+
+Reason why_impossible(const Scene& scene, const Remove& edit) {
+    const Node* node = scene.find(edit.node);
+    if (!node) return gone();
+    if (is_record(*node) && node->name.empty()) return fmt::format("{} cannot be removed", node->type->key());
+    return why_still_needed(scene, scene.copy(edit.node));
+}
+
+Reason why_impossible(const Scene& scene, const Move& edit) {
+    const Node* node = scene.find(edit.node);
+    if (!node || is_record(*node)) return gone();
+    if (edit.parent && scene.find(edit.parent) && scene.is_within(edit.parent, edit.node)) return "a node cannot be put into itself";
+    const bool among_its_own = node->parent == edit.parent;
+    const int count = edit.parent && !scene.find(edit.parent) ? 0 : static_cast<int>(scene.children_of(edit.parent).size());
+    return why_no_place(scene, edit.parent, edit.index, count - (among_its_own ? 1 : 0));
+}
+
+Reason why_impossible(const Scene& scene, const Wrap& edit) {
+    if (edit.parent && !scene.find(edit.parent)) return gone();
+    const int count = static_cast<int>(scene.children_of(edit.parent).size());
+    if (edit.first < 0 || edit.count < 1 || edit.first + edit.count > count) return "there are no such children";
+    if (!edit.wrapper.id || scene.find(edit.wrapper.id)) return "the node to wrap them in is in the scene already";
+    if (edit.wrapper.type->meta.children.max == 0) return fmt::format("{} takes no children", edit.wrapper.type->key());
+    return {};
+}
+
+Reason why_impossible(const Scene& scene, const Unwrap& edit) {
+    const Node* node = scene.find(edit.node);
+    if (!node || is_record(*node)) return gone();
+    if (node->children.empty()) return fmt::format("{} holds nothing", scene.path(edit.node));
+    return why_still_needed(scene, {*node});
+}
+
+Reason why_impossible(const Scene& scene, const Retype& edit) {
+    const Node* node = scene.find(edit.node);
+    if (!node || is_record(*node)) return gone();
+    if (edit.type->meta.kind == NodeKind::record || edit.fields.size() != edit.type->fields.size()) return "a node cannot become that";
+    for (std::size_t i = 0; i < edit.fields.size(); ++i) {
+        const FieldType& field = edit.type->fields[i];
+        if (field.meta.required && !edit.fields[i].is_explicit) return fmt::format("{} needs {}", edit.type->key(), field.key);
+        if (const auto why = why_invalid(field, edit.fields[i].value)) return fmt::format("{} {}", field.key, *why);
+    }
+    return {};
+}
+
+bool is_name_of_record(std::string_view text) {
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+    return !text.empty() && is_letter(text.front()) &&
+           std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
+}
+
+Reason why_impossible(const Scene& scene, const Rename& edit) {
+    if (!edit.node) {
+        const auto& inputs = scene.inputs;
+        if (std::none_of(inputs.begin(), inputs.end(), [&](const InputBinding& input) { return input.name == edit.from; }))
+            return fmt::format("no input is called {}", edit.from);
+    } else if (!scene.find(edit.node) || scene.find(edit.node)->name != edit.from) {
+        return gone();
+    }
+    if (edit.from == edit.to) return {};
+    const bool is_material = edit.node && is_record(*scene.find(edit.node));
+    if (is_material || !edit.node) {
+        if (!is_name_of_record(edit.to)) return fmt::format("{} is no name: small letters, digits and _", edit.to);
+    } else if (edit.to.empty()) {
+        return why_still_needed(scene, {*scene.find(edit.node)});
+    } else if (const Node& node = *scene.find(edit.node); auto why = why_invalid(at(node.type->fields, *node.type->find_field("id")), edit.to)) {
+        return fmt::format("{} {}", edit.to, *why);
+    }
+    if (!is_material) return is_id_taken(scene, edit.to, edit.node) ? Reason(taken_id(edit.to)) : std::nullopt;
+    for (const NodeId id : scene.materials())
+        if (scene.find(id)->name == edit.to) return fmt::format("there is a material {} already", edit.to);
+    return {};
+}
+
+/// Every field of the scene that refers to a name of this sort takes another in its place.
+void follow_name(Scene& scene, Meaning sort, const std::string& from, const std::string& to) {
+    for (const NodeId id : scene.all()) {
+        Node& node = *scene.find(id);
+        for (std::size_t i = 0; i < node.fields.size(); ++i)
+            if (node.type->fields[i].meta.meaning == sort) node.fields[i].value = renamed(node.fields[i].value, from, to);
+    }
+}
+
+void follow_in_tests(Scene& scene, const std::string& from, const std::string& to) {
+    for (TableTest& test : scene.tests)
+        for (TableTest::Expectation& expectation : test.expectations)
+            if (expectation.quantity == from + ".hits") {
+                expectation.quantity = to + ".hits";
+                expectation.text.replace(expectation.text.find(from), from.size(), to);
+            }
+}
+
+// Each edit applied; what it returns takes it back.
+
+Edit done(Scene& scene, const SetField& edit) { return apply(scene, edit); }
+
+Edit done(Scene& scene, const Insert& edit) {
+    scene.put(edit.nodes, edit.parent, edit.index);
+    return Remove{edit.nodes.front().id};
+}
+
+Edit done(Scene& scene, const Remove& edit) {
+    const NodeId parent = scene.find(edit.node)->parent;
+    const int index = scene.index_of(edit.node);
+    return Insert{parent, index, scene.take(edit.node)};
+}
+
+Edit done(Scene& scene, const Move& edit) {
+    const Move back{edit.node, scene.find(edit.node)->parent, scene.index_of(edit.node)};
+    scene.put(scene.take(edit.node), edit.parent, edit.index);
+    return back;
+}
+
+Edit done(Scene& scene, const Wrap& edit) {
+    Node wrapper = edit.wrapper;
+    wrapper.children.clear();
+    scene.put({wrapper}, edit.parent, edit.first);
+    for (int i = 0; i < edit.count; ++i) {
+        const NodeId child = at(scene.children_of(edit.parent), edit.first + 1);
+        scene.put(scene.take(child), wrapper.id, i);
+    }
+    return Unwrap{wrapper.id};
+}
+
+Edit done(Scene& scene, const Unwrap& edit) {
+    const std::vector<NodeId> children = scene.find(edit.node)->children;
+    const NodeId parent = scene.find(edit.node)->parent;
+    const int first = scene.index_of(edit.node);
+    for (int i = 0; i < static_cast<int>(children.size()); ++i) scene.put(scene.take(at(children, i)), parent, first + 1 + i);
+    Subtree wrapper = scene.take(edit.node);
+    return Wrap{parent, first, static_cast<int>(children.size()), std::move(wrapper.front())};
+}
+
+Edit done(Scene& scene, const Retype& edit) {
+    Node& node = *scene.find(edit.node);
+    return Retype{edit.node, std::exchange(node.type, edit.type), std::exchange(node.fields, edit.fields)};
+}
+
+Edit done(Scene& scene, const Rename& edit) {
+    Rename back{edit.node, edit.to, edit.from, edit.is_explicit};
+    if (!edit.node) {
+        for (InputBinding& input : scene.inputs)
+            if (input.name == edit.from) input.name = edit.to;
+        follow_name(scene, Meaning::input, edit.from, edit.to);
+        return back;
+    }
+    Node& node = *scene.find(edit.node);
+    node.name = edit.to;
+    if (is_record(node)) {
+        follow_name(scene, Meaning::material, edit.from, edit.to);
+        return back;
+    }
+    FieldSlot& id = at(node.fields, *node.type->find_field("id"));
+    id.value = edit.to;
+    back.is_explicit = std::exchange(id.is_explicit, edit.is_explicit);
+    if (!edit.from.empty()) follow_in_tests(scene, edit.from, edit.to);
+    return back;
+}
 
 }  // namespace
 
-std::optional<std::string> why_invalid(const Scene& scene, const Edit& edit) {
+Reason why_invalid(const Scene& scene, const SetField& edit) {
     const Node* node = scene.find(edit.node);
-    if (!node) return "the node no longer exists";
+    if (!node) return gone();
     if (edit.field < 0 || edit.field >= static_cast<int>(node->fields.size())) return "the node has no such field";
     const FieldType& field = at(node->type->fields, edit.field);
     if (auto why = why_invalid(field, edit.value)) return fmt::format("{} {}", field.key, *why);
@@ -33,15 +236,56 @@ std::optional<std::string> why_invalid(const Scene& scene, const Edit& edit) {
     return {};
 }
 
-Edit apply(Scene& scene, const Edit& edit) {
+Reason why_invalid(const Scene& scene, const Edit& edit) {
+    if (const auto* field = std::get_if<SetField>(&edit)) return why_invalid(scene, *field);
+    Reason why = std::visit(
+        [&](const auto& e) -> Reason {
+            if constexpr (std::is_same_v<std::decay_t<decltype(e)>, SetField>) return {};
+            else return why_impossible(scene, e);
+        },
+        edit);
+    if (why) return why;
+    Scene after = scene;
+    std::visit([&](const auto& e) { done(after, e); }, edit);
+    for (const Diagnostic& found : validate(after))
+        if (found.severity == Severity::error) return found.message;
+    return {};
+}
+
+Value renamed(Value value, const std::string& from, const std::string& to) {
+    if (auto* name = std::get_if<std::string>(&value); name && *name == from) *name = to;
+    if (auto* names = std::get_if<std::vector<std::string>>(&value)) std::replace(names->begin(), names->end(), from, to);
+    return value;
+}
+
+SetField apply(Scene& scene, const SetField& edit) {
     assert(!why_invalid(scene, edit) && "apply() takes edits that why_invalid() lets pass");
     Node& node = *scene.find(edit.node);
     FieldSlot& slot = at(node.fields, edit.field);
-    Edit inverse{edit.node, edit.field, std::move(slot.value), slot.is_explicit};
+    SetField inverse{edit.node, edit.field, std::move(slot.value), slot.is_explicit};
     slot.value = edit.value;
     slot.is_explicit = edit.is_explicit;
     if (is_id_field(at(node.type->fields, edit.field))) node.name = std::get<std::string>(edit.value);
     return inverse;
+}
+
+Edit apply(Scene& scene, const Edit& edit) {
+    assert(!why_invalid(scene, edit) && "apply() takes edits that why_invalid() lets pass");
+    return std::visit([&](const auto& e) { return done(scene, e); }, edit);
+}
+
+Retype retyped(const Scene& scene, NodeId id, const NodeType& type) {
+    const Node& node = *scene.find(id);
+    Retype out{id, &type, {}};
+    for (const FieldType& field : type.fields) {
+        FieldSlot slot{field.initial, false, {}};
+        if (const auto same = node.type->find_field(field.key)) {
+            const FieldSlot& old = at(node.fields, *same);
+            if (old.is_explicit && !why_invalid(field, old.value)) slot = old;
+        }
+        out.fields.push_back(std::move(slot));
+    }
+    return out;
 }
 
 }  // namespace pinfield

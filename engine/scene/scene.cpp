@@ -63,6 +63,72 @@ Node& Scene::add_material(const std::string& name) {
     return node;
 }
 
+std::vector<NodeId>& Scene::list_for(const NodeType& type, NodeId parent) {
+    if (type.meta.kind == NodeKind::record) return materials_;
+    return parent ? find(parent)->children : roots_;
+}
+
+const std::vector<NodeId>& Scene::siblings(NodeId id) const {
+    const Node& node = *find(id);
+    return node.type->meta.kind == NodeKind::record ? materials_ : children_of(node.parent);
+}
+
+int Scene::index_of(NodeId id) const {
+    const std::vector<NodeId>& list = siblings(id);
+    return static_cast<int>(std::find(list.begin(), list.end(), id) - list.begin());
+}
+
+bool Scene::is_within(NodeId node, NodeId ancestor) const {
+    for (; node; node = find(node)->parent)
+        if (node == ancestor) return true;
+    return false;
+}
+
+Subtree Scene::copy(NodeId id) const {
+    Subtree out;
+    std::vector<NodeId> open{id};
+    while (!open.empty()) {
+        out.push_back(*find(open.back()));
+        open.pop_back();
+        const std::vector<NodeId>& children = out.back().children;
+        open.insert(open.end(), children.rbegin(), children.rend());
+    }
+    return out;
+}
+
+Subtree Scene::take(NodeId id) {
+    Subtree out = copy(id);
+    std::vector<NodeId>& list = list_for(*out.front().type, out.front().parent);
+    list.erase(std::find(list.begin(), list.end(), id));
+    for (const Node& node : out) nodes_.erase(node.id);
+    return out;
+}
+
+void Scene::put(Subtree nodes, NodeId parent, int index) {
+    nodes.front().parent = parent;
+    std::vector<NodeId>& list = list_for(*nodes.front().type, parent);
+    assert(index >= 0 && index <= static_cast<int>(list.size()));
+    list.insert(list.begin() + index, nodes.front().id);
+    for (Node& node : nodes) {
+        next_id_ = std::max(next_id_, node.id.value + 1);
+        [[maybe_unused]] const bool is_new = nodes_.emplace(node.id, std::move(node)).second;
+        assert(is_new && "put() takes ids that are free");
+    }
+}
+
+Subtree Scene::with_new_ids(Subtree nodes) const {
+    std::map<NodeId, NodeId> new_ids{{NodeId{}, NodeId{}}};
+    std::uint32_t next = next_id_;
+    for (const Node& node : nodes) new_ids[node.id] = NodeId{next++};
+    for (Node& node : nodes) {
+        node.id = new_ids[node.id];
+        const auto parent = new_ids.find(node.parent);
+        node.parent = parent == new_ids.end() ? NodeId{} : parent->second;
+        for (NodeId& child : node.children) child = new_ids[child];
+    }
+    return nodes;
+}
+
 const Node* Scene::find(NodeId id) const {
     const auto it = nodes_.find(id);
     return it == nodes_.end() ? nullptr : &it->second;
@@ -147,12 +213,13 @@ void Scene::keep_ids_of(const Scene& before) {
     rename(renamed);
 }
 
-void Scene::take_ids_of(const Scene& twin) {
-    const std::vector<NodeId> mine = all(), theirs = twin.all();
-    assert(mine.size() == theirs.size() && "take_ids_of() is for scenes of the same nodes");
+void Scene::take_ids(const std::vector<NodeId>& ids, const Scene& later) {
+    const std::vector<NodeId> mine = all();
+    assert(mine.size() == ids.size() && "take_ids() is for scenes of the same nodes");
     std::map<NodeId, NodeId> renamed;
-    for (std::size_t i = 0; i < mine.size(); ++i) renamed[mine[i]] = theirs[i];
-    next_id_ = twin.next_id_;
+    for (std::size_t i = 0; i < mine.size(); ++i) renamed[mine[i]] = ids[i];
+    next_id_ = later.next_id_;
+    for (const NodeId id : ids) next_id_ = std::max(next_id_, id.value + 1);
     rename(renamed);
 }
 

@@ -39,6 +39,9 @@ struct Node {
     const T& get(std::string_view key_of_field) const { return std::get<T>(value(key_of_field)); }
 };
 
+/// A node with everything in it, outside any scene: in preorder, so that its root comes first. What refers to a node within is its id.
+using Subtree = std::vector<Node>;
+
 /// A named input and the keys of a keyboard that press it (GLFW's names without prefix: Z, Slash, LeftShift, Space).
 struct InputBinding {
     std::string name;
@@ -80,6 +83,23 @@ public:
     Node& add(const NodeType& type, NodeId parent = {});
     Node& add_material(const std::string& name);
 
+    /// A scene node or a material, with everything in it: copied, or taken out of the scene.
+    Subtree copy(NodeId id) const;
+    Subtree take(NodeId id);
+    /// Puts a subtree among the children of `parent` (none: the top level, or the materials) so that it becomes child `index`. Its ids
+    /// must be free.
+    void put(Subtree nodes, NodeId parent, int index);
+    /// The subtree with ids that no node of this scene has had.
+    Subtree with_new_ids(Subtree nodes) const;
+    /// The nodes that one stands among, itself included: its parent's children, the top level, or the materials.
+    const std::vector<NodeId>& siblings(NodeId id) const;
+    /// Where a node stands among its siblings.
+    int index_of(NodeId id) const;
+    /// The children of a node, or, for none, the top level.
+    const std::vector<NodeId>& children_of(NodeId parent) const { return parent ? find(parent)->children : roots_; }
+    /// Is `node` the node `ancestor`, or in it?
+    bool is_within(NodeId node, NodeId ancestor) const;
+
     const Node* find(NodeId id) const;
     Node* find(NodeId id);
     /// By the author's id, else by path: `type[index]/type[index]`, index among siblings of that type from 0.
@@ -110,10 +130,13 @@ public:
     /// Gives nodes of this freshly read scene the ids they had in `before`: matched by author's id, else by path.
     void keep_ids_of(const Scene& before);
     /// The same where both scenes have the same nodes in the same order.
-    void take_ids_of(const Scene& twin);
+    void take_ids_of(const Scene& twin) { take_ids(twin.all(), twin); }
+    /// Gives the nodes the ids that all() gave for this scene earlier. `later`: a scene whose ids are not given out again.
+    void take_ids(const std::vector<NodeId>& ids, const Scene& later);
 
 private:
     Node& insert(const NodeType& type, NodeId parent);
+    std::vector<NodeId>& list_for(const NodeType& type, NodeId parent);
     void rename(const std::map<NodeId, NodeId>& new_ids);
 
     std::shared_ptr<const Catalog> catalog_;

@@ -42,9 +42,9 @@ int main() {
     std::vector<Edit> edits;
     for (int i = 0; i < 40; ++i) {
         const Node& node = *reading.scene.find(at(reading.scene.roots(), 20 * i));
-        Edit edit{node.id, *node.type->find_field("at"), {}, true};
+        SetField edit{node.id, *node.type->find_field("at"), {}, true};
         edit.value = Vec2(0.1 + 0.001 * i, 0.2);
-        edits.push_back(edit);
+        edits.emplace_back(edit);
     }
     const double read = median_time([&] { read_table(source, catalog); });
     fmt::print("{:.0f} kB, {} nodes: read_table {:.1f} ms\n", static_cast<double>(source->text().size()) / 1000, reading.scene.roots().size(),

@@ -68,7 +68,7 @@ TEST_CASE("check warns with its place of a rounding of what is only a bound, and
     CHECK_THAT(run_pinfield("eval " + wedge + " --points " + scratch.write("p.csv", "x,y\n0.1,0.1\n")).err, Catch::Contains("[W0503]"));
 }
 
-TEST_CASE("check --verbose tells of each node how far its distance may be trusted, as text and as JSON") {
+TEST_CASE("check --verbose says of each node how far its distance may be trusted, as text and as JSON") {
     const Scratch scratch;
     const std::string table = scratch.write("t.yaml",
                                             "pinfield: 1\nscene:\n"
@@ -102,7 +102,7 @@ TEST_CASE("check --verbose tells of each node how far its distance may be truste
     CHECK(notes[5]["boundary_known"] == true);
 }
 
-TEST_CASE("check --verbose tells each side by itself, and a boundary that is fitted from one that is known") {
+TEST_CASE("check --verbose names each side by itself, and a boundary that is fitted apart from one that is known") {
     const Scratch scratch;
     const std::string table = scratch.write("t.yaml",
                                             "pinfield: 1\nscene:\n"

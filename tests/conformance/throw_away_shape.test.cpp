@@ -49,7 +49,7 @@ TEST_CASE("a shape that a program adds of its own is read, refused, written, des
     CHECK(json_schema(scene.catalog()).find("\"spectacles\"") != std::string::npos);
     CHECK(reference_json(referenced_types(scene.catalog(), "spectacles")).find("Of each disc.") != std::string::npos);
 
-    const Edit edit{node->id, *node->type->find_field("gap"), 0.016, true};
+    const Edit edit = SetField{node->id, *node->type->find_field("gap"), 0.016, true};
     const auto patched = patch_for(loaded.read, std::span(&edit, 1));
     REQUIRE(patched);
     CHECK(patched->reading.source().text() ==
@@ -86,7 +86,7 @@ TEST_CASE("a shape that a program adds of its own is drawn, patched live and col
 
     const NodeId nose = scene.find("nose")->id;
     const int gap = *scene.find(nose)->type->find_field("gap");
-    apply(scene, Edit{nose, gap, 0.05, true});
+    apply(scene, SetField{nose, gap, 0.05, true});
     const ProgramPtr patched = patch(**program, scene, std::array{FieldChange{nose, gap}});
     REQUIRE(patched);
     CHECK(nearest(patched->fixed, {0.1, 0.1}).distance == Approx(0.025));

@@ -106,10 +106,10 @@ TEST_CASE("opening a file replaces the table; one that is not there leaves it") 
     open_file(state, folder.file("none.yaml"));
     CHECK(state.message_is_problem);
     CHECK(state.document.path() == folder.file("table.yaml"));
-    state.selection = id_of(state.document, "pop");
+    state.selection.set(id_of(state.document, "pop"));
     open_file(state, folder.file("other.yaml"));
     CHECK(state.document.scene().find("dot"));
-    CHECK_FALSE(state.selection);
+    CHECK(state.selection.empty());
     CHECK(state.session.program().fixed.solids.size() == 2);  // the dot and the table's edge
 }
 
@@ -124,18 +124,18 @@ TEST_CASE("a refused edit becomes the message") {
 TEST_CASE("the selection survives an outside change, and goes when its node goes") {
     const Folder folder;
     AppState state = opened_state(folder);
-    state.selection = id_of(state.document, "pop");
+    state.selection.set(id_of(state.document, "pop"));
     folder.write("table.yaml", pen + "# theirs\n");
     look_at_disk(state);
     advance(state, 1);
-    CHECK(state.selection == id_of(state.document, "pop"));
+    CHECK(state.selection.primary() == id_of(state.document, "pop"));
     std::string without = pen;
     const std::size_t begin = without.find("  - bumper");
     without.erase(begin, without.find('\n', begin) + 1 - begin);
     folder.write("table.yaml", without);
     look_at_disk(state);
     advance(state, 1);
-    CHECK_FALSE(state.selection);
+    CHECK(state.selection.empty());
 }
 
 TEST_CASE("a table broken outside keeps playing, and the message says so") {
@@ -151,7 +151,7 @@ TEST_CASE("a table broken outside keeps playing, and the message says so") {
     CHECK(state.session.program().fixed.solids.size() > 2);
 }
 
-TEST_CASE("a file that is gone for good is told of, is unsaved work, and can be saved again") {
+TEST_CASE("a file that is gone for good is reported, is unsaved work, and can be saved again") {
     const Folder folder;
     AppState state = opened_state(folder);
     std::filesystem::remove(folder.file("table.yaml"));
@@ -223,7 +223,7 @@ TEST_CASE("framing fits the table into the viewport, and zooming keeps the point
     const Vec2 pixel(333, 222), world = state.view.world_from_pixel(pixel);
     state.view.zoom_at(pixel, 3);
     CHECK(length(state.view.pixel_from_world(world) - pixel) < 1e-6);
-    state.selection = id_of(state.document, "pop");
+    state.selection.set(id_of(state.document, "pop"));
     run(state, "view.frame");
     CHECK(state.view.window().contains({0.25, 0.70}));
     CHECK(state.view.window().size().y() < 0.2);

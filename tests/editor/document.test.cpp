@@ -214,7 +214,7 @@ TEST_CASE("a clean document follows the disk, and its nodes keep their ids") {
     CHECK(changes[0].everything);
 }
 
-TEST_CASE("a file broken outside leaves the last good table and tells the line, until it is mended") {
+TEST_CASE("a file broken outside leaves the last good table and reports the line, until it is mended") {
     const Folder folder;
     Document document = opened(folder);
     document.take_changes();

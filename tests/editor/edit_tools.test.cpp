@@ -47,7 +47,7 @@ void scrub_all_fields(Document& document, NodeId id, CounterRng& rng) {
             bool valid = true;
             for (int move = 0; move < 9; ++move) {
                 scrub.update(document, std::floor(rng.in(-1, 1) * (move < 4 ? 20 : 1e5)), move % 3 == 0, move % 3 == 1);
-                valid = valid && !why_invalid(document.scene(), Edit{id, field, value_at(document, id, field), true});
+                valid = valid && !why_invalid(document.scene(), SetField{id, field, value_at(document, id, field), true});
             }
             CHECK(valid);
             scrub.update(document, 0);
@@ -75,7 +75,7 @@ TEST_CASE("a dragged node lands on the grid, and the coordinate that did not mov
 TEST_CASE("without a grid a node still lands on hundredths of a millimetre") {
     const Folder folder;
     const Document document = opened(folder);
-    const Edit edit = moved(document.scene(), id_of(document, "pop"), {0.25, 0.70}, {0.0123456789, 0}, 0);
+    const SetField edit = moved(document.scene(), id_of(document, "pop"), {0.25, 0.70}, {0.0123456789, 0}, 0);
     CHECK(identical(edit.value, Value(Vec2(0.26235, 0.70))));
 }
 

@@ -22,8 +22,8 @@ public:
     void move_mouse(const Vec2& pixel) override { events_.push_back([this, pixel] { mouse_ = state_.view.world_from_pixel(pixel); }); }
     void press_mouse(bool down) override {
         events_.push_back([this, down] {
-            if (down) state_.selection = pick(state_, mouse_, 0.002);
-            if (down && state_.selection) drag_.begin(state_.document, state_.selection, mouse_);
+            if (down) state_.selection.set(pick(state_, mouse_, 0.002));
+            if (down && !state_.selection.empty()) drag_.begin(state_.document, state_.selection.primary(), mouse_);
             if (!down) drag_.end(state_.document);
         });
     }
@@ -175,7 +175,7 @@ TEST_CASE("a step that fails says its number, its line and why, and nothing runs
     CHECK_THAT(failure, Catch::StartsWith("steps.yaml:3:"));
     CHECK_THAT(failure, Catch::Contains("step 2 ("));
     CHECK_THAT(failure, Catch::Contains(why));
-    CHECK(state.selection == id_of(state.document, "shelf"));
+    CHECK(state.selection.primary() == id_of(state.document, "shelf"));
 }
 
 TEST_CASE("an action that fails fails its step") {

@@ -95,21 +95,21 @@ TEST_CASE("an edit that does not compile keeps the last good program running, an
     CHECK(fingerprint(state.session.program()) == fingerprint(**compile(state.document.scene())));
 }
 
-TEST_CASE("a doubt about what runs is told and stands where the text has it, and goes when it is mended") {
+TEST_CASE("a doubt about what runs is reported and stands where the text has it, and goes when it is mended") {
     const Folder folder;
     AppState state = opened_state(folder,
                                   "pinfield: 1\nscene:\n  - round: {id: soft, radius: 5mm, children: [intersection: {children: "
                                   "[half_plane: {}, half_plane: {turn: 90}]}]}\n");
-    const auto told = [&] { return state.session.problems(); };
-    REQUIRE(told().size() == 1);
-    CHECK(told()[0].code == "W0503");
-    CHECK(state.document.scene().sources.line_column(told()[0].where) == LineColumn{3, 5});
+    const auto doubts = [&] { return state.session.problems(); };
+    REQUIRE(doubts().size() == 1);
+    CHECK(doubts()[0].code == "W0503");
+    CHECK(state.document.scene().sources.line_column(doubts()[0].where) == LineColumn{3, 5});
     edit(state, change(state.document, "soft", "radius", 0.006), "a");  // a patch
     advance(state, 3);
-    CHECK(told().size() == 1);
+    CHECK(doubts().size() == 1);
     edit(state, change(state.document, "soft", "radius", 0.0), "b");
     advance(state, 3);
-    CHECK(told().empty());
+    CHECK(doubts().empty());
 }
 
 TEST_CASE("a table that does not compile opens on an empty one and says why") {

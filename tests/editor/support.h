@@ -78,7 +78,7 @@ inline NodeId id_of(const Document& document, std::string_view path) {
 }
 
 /// An edit of a node's field by name.
-inline Edit change(const Document& document, std::string_view node, std::string_view field, Value value) {
+inline SetField change(const Document& document, std::string_view node, std::string_view field, Value value) {
     const Node& found = *document.scene().find(node);
     return {found.id, *found.type->find_field(field), std::move(value), true};
 }

@@ -15,6 +15,7 @@
 #include "tests/places.h"
 
 using namespace pinfield;
+using namespace pinfield::editor;
 
 namespace {
 

@@ -152,7 +152,7 @@ Value another_value(const FieldType& field, const Value& value, CounterRng& rng)
     return value;
 }
 
-std::optional<Edit> some_edit(const Scene& scene, CounterRng& rng) {
+std::optional<SetField> some_edit(const Scene& scene, CounterRng& rng) {
     const std::vector<NodeId> all = scene.all();
     for (int attempt = 0; attempt < 20; ++attempt) {
         const Node& node = *scene.find(all[rng.next_u64() % all.size()]);
@@ -163,7 +163,7 @@ std::optional<Edit> some_edit(const Scene& scene, CounterRng& rng) {
         const bool is_reference =
             field.meta.meaning == Meaning::material || field.meta.meaning == Meaning::input;
         const bool leave_out = slot.is_explicit && identical(slot.value, field.initial) && rng.next_u64() % 2;
-        Edit edit{node.id, static_cast<int>(index),
+        SetField edit{node.id, static_cast<int>(index),
                   leave_out || is_reference ? slot.value : another_value(field, slot.value, rng), !leave_out};
         if (is_reference || why_invalid(scene, edit)) continue;
         return edit;

@@ -65,6 +65,6 @@ std::vector<std::pair<std::string, std::string>> good_tables();
 Value another_value(const FieldType& field, const Value& value, CounterRng& rng);
 
 /// An edit of some field of some node that the scene accepts, or nothing after a few tries.
-std::optional<Edit> some_edit(const Scene& scene, CounterRng& rng);
+std::optional<SetField> some_edit(const Scene& scene, CounterRng& rng);
 
 }  // namespace pinfield::test

@@ -38,7 +38,7 @@ std::string edited(const std::string& text, std::string_view path, std::string_v
         for (const NodeId id : before.scene.materials())
             if (before.scene.find(id)->name == path) node = before.scene.find(id);
     REQUIRE(node);
-    const Edit edit{node->id, field_index(*node, key), value, is_explicit};
+    const Edit edit = SetField{node->id, field_index(*node, key), value, is_explicit};
     const auto patched = patch_for(before, std::span(&edit, 1));
     if (!patched) return "refused: " + patched.error().message;
     CHECK(patched->readings <= 1);
@@ -197,7 +197,7 @@ TEST_CASE("edits of many nodes cost one reading, and change what each of them al
     std::vector<Edit> edits;
     for (int i = 0; i < 40; ++i) {
         const Node& node = *before.scene.find(at(before.scene.roots(), i));
-        edits.push_back({node.id, field_index(node, "at"), Vec2((i + 5) / 1000.0, 0.03), true});
+        edits.emplace_back(SetField{node.id, field_index(node, "at"), Vec2((i + 5) / 1000.0, 0.03), true});
     }
     const auto patched = patch_for(before, edits);
     REQUIRE(patched);
@@ -212,7 +212,7 @@ TEST_CASE("edits that touch the same bytes are written one after the other") {
     const Node &circle = *before.scene.find("circle[0]"), &box = *before.scene.find("box[0]");
     std::vector<Edit> edits;
     const auto set = [&](const Node& node, std::string_view key, const Value& value, bool is_explicit = true) {
-        edits.push_back({node.id, field_index(node, key), value, is_explicit});
+        edits.emplace_back(SetField{node.id, field_index(node, key), value, is_explicit});
     };
     set(circle, "radius", 0.03);
     set(circle, "turn", 4.0);
@@ -235,7 +235,7 @@ TEST_CASE("an edit that is valid only after one that waits waits with it") {
     const Reading before = read(in_scene("- box: {round: 1mm}\n"));
     const Node& box = *before.scene.find("box[0]");
     std::vector<Edit> edits;
-    const auto set = [&](std::string_view key, const Value& value) { edits.push_back({box.id, field_index(box, key), value, true}); };
+    const auto set = [&](std::string_view key, const Value& value) { edits.emplace_back(SetField{box.id, field_index(box, key), value, true}); };
     set("turn", 4.0);
     set("size", Vec2(3, 3));
     set("round", 1.0);  // too round for the box as it was
@@ -250,8 +250,8 @@ TEST_CASE("of edits one of which is refused none is written") {
     const NodeId a = before.scene.find("a")->id, b = before.scene.find("b")->id;
     const int radius = field_index(*before.scene.find(a), "radius");
     std::vector<Edit> edits;
-    edits.push_back({a, radius, 0.04, true});
-    edits.push_back({b, radius, -0.04, true});
+    edits.emplace_back(SetField{a, radius, 0.04, true});
+    edits.emplace_back(SetField{b, radius, -0.04, true});
     const auto patched = patch_for(before, edits);
     REQUIRE_FALSE(patched);
     CHECK(patched.error().message == "radius must be above 0 m");
@@ -273,13 +273,15 @@ TEST_CASE("any fields of any nodes of every good table can be patched at once, a
             for (int k = 0; k < 1 + i % 3; ++k)
                 if (auto edit = some_edit(expected, rng)) {
                     pinfield::apply(expected, *edit);
-                    edits.push_back(std::move(*edit));
+                    edits.emplace_back(std::move(*edit));
                 }
             auto result = patch_for(now, edits);
             if (!result) {
                 ++refused;
-                for (const Edit& edit : edits)
-                    reasons += now.scene.path(edit.node) + "." + std::string(at(now.scene.find(edit.node)->type->fields, edit.field).key) + " ";
+                for (const Edit& edit : edits) {
+                    const auto& field = std::get<SetField>(edit);
+                    reasons += now.scene.path(field.node) + "." + std::string(at(now.scene.find(field.node)->type->fields, field.field).key) + " ";
+                }
                 reasons += ": " + result.error().message + "\n";
                 continue;
             }

@@ -153,12 +153,12 @@ TEST_CASE("a number that is no number takes its ball out of the game and says so
     world.add_ball({0.5, 0.5}, {0, 0});
     const BallId lost = world.add_ball({0.2, 0.2}, {0, 0});
     world.set_ball(lost, {0.2, 0.2}, {std::nan(""), 0});
-    bool told = false;
+    bool reported = false;
     for (int i = 0; i < 50; ++i) {
         world.step();
-        for (const Event& event : world.events()) told = told || event.kind == EventKind::quarantine;
+        for (const Event& event : world.events()) reported = reported || event.kind == EventKind::quarantine;
     }
-    CHECK(told);
+    CHECK(reported);
     CHECK(world.find(lost)->state == BallState::quarantined);
     CHECK(world.balls()[0].velocity.y() < 0);
 }

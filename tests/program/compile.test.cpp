@@ -85,7 +85,7 @@ TEST_CASE("layers get bits by name, groups hand theirs down, and each layer has 
     CHECK(nearest(program->fixed, {-0.1, 0.2}, 2).distance == Approx(-0.1));
 }
 
-TEST_CASE("what cannot be compiled is told with its reason") {
+TEST_CASE("what cannot be compiled is refused with its reason") {
     Scene scene(catalog());
     add(scene, "box", {}, {{"size", Vec2(0.1, 0.1)}, {"round", 0.2}});
     add(scene, "union");

@@ -1,7 +1,7 @@
 // The distance to CSG trees of line-and-arc shapes against an oracle that shares nothing with the lowering but the shapes' own
 // outlines and fields: the nearest boundary point of a CSG solid is the foot on one of its shapes' lines and circles, or a point where
 // two of these meet. Of all such candidates, nearest first, the first that lies on the solid's boundary is the truth; whether
-// it does is told by asking the scene which of the places around it are inside.
+// it does is found by asking the scene which of the places around it are inside.
 #include <catch2/catch.hpp>
 
 #include <algorithm>

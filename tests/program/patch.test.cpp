@@ -61,9 +61,9 @@ void check_all_edits(Scene& scene, std::uint64_t seed, Tally& tally) {
     for (const NodeId id : scene.all()) {
         for (std::size_t f = 0; f < scene.find(id)->type->fields.size(); ++f) {
             const Node& node = *scene.find(id);
-            Edit edit{id, static_cast<int>(f), nudged(node.type->fields[f], node.fields[f].value, random), true};
+            SetField edit{id, static_cast<int>(f), nudged(node.type->fields[f], node.fields[f].value, random), true};
             if (why_invalid(scene, edit)) continue;
-            const Edit undo = apply(scene, edit);
+            const SetField undo = apply(scene, edit);
             const auto fresh = compile(scene);
             const ProgramPtr patched = patched_by(*program, scene, id, edit.field);
             INFO(scene.path(id) << "." << node.type->fields[f].key);
@@ -135,13 +135,13 @@ TEST_CASE("many fields that change at once are patched as one, and equal a recom
     int patched_rounds = 0;
     for (int round = 0; round < 60; ++round) {
         std::vector<FieldChange> changes;
-        std::vector<Edit> undo;
+        std::vector<SetField> undo;
         for (const NodeId id : scene.all()) {
             if (random.uniform() < 0.7) continue;
             const Node& node = *scene.find(id);
             const int f = static_cast<int>(random.uniform() * static_cast<double>(node.fields.size()));
             if (at(node.type->fields, f).meta.affects == Affects::structure) continue;
-            const Edit edit{id, f, nudged(at(node.type->fields, f), at(node.fields, f).value, random), true};
+            const SetField edit{id, f, nudged(at(node.type->fields, f), at(node.fields, f).value, random), true};
             if (why_invalid(scene, edit)) continue;
             undo.push_back(apply(scene, edit));
             changes.push_back({id, f});

@@ -61,15 +61,15 @@ TEST_CASE("edits applied and taken back leave the scene bit for bit as it was") 
     const Scene original = one_of_each();
     Scene scene = original;
     CounterRng rng(5);
-    std::vector<Edit> undo;
+    std::vector<SetField> undo;
     for (int i = 0; i < 5000; ++i) {
         const auto all = scene.all();
         const Node& node = *scene.find(all[rng.next_u64() % all.size()]);
         const auto index = rng.next_u64() % node.fields.size();
-        const Edit edit{node.id, static_cast<int>(index), some_value(node.type->fields[index], rng),
+        const SetField edit{node.id, static_cast<int>(index), some_value(node.type->fields[index], rng),
                         rng.uniform() < 0.8};
         if (why_invalid(scene, edit)) continue;
-        const Edit inverse = apply(scene, edit);
+        const SetField inverse = apply(scene, edit);
         CHECK(identical(node.fields[index].value, edit.value));
         CHECK_FALSE(broken_contract(node));
         undo.push_back(inverse);
@@ -105,7 +105,7 @@ TEST_CASE("an id that another node has is refused, one's own is not") {
     CHECK(scene.find("pop")->id == circle);
     CHECK(why_invalid(scene, {box, field(*scene.find(box), "id"), std::string("pop"), true}) == "the id pop is taken");
     CHECK_FALSE(why_invalid(scene, {circle, id, std::string("pop"), true}));
-    const Edit back = apply(scene, {circle, id, std::string(), false});
+    const SetField back = apply(scene, {circle, id, std::string(), false});
     CHECK(scene.find("pop") == nullptr);
     apply(scene, back);
     CHECK(scene.find("pop")->id == circle);

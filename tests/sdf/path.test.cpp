@@ -226,7 +226,7 @@ TEST_CASE("the outline of a filled path of lines and arcs is as far as the path,
     }
 }
 
-TEST_CASE("what a path encloses is told by the even-odd rule, also level with corners, joints and turning points") {
+TEST_CASE("what a path encloses goes by the even-odd rule, also level with corners, joints and turning points") {
     CounterRng rng(32);
     for (int trial = 0; trial < 40; ++trial)
         for (const Pieces* pieces : {&lines, &arcs, &quadratics, &cubics, &all_kinds}) {

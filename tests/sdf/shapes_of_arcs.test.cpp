@@ -241,7 +241,7 @@ TEST_CASE("an oriented vesica is a vesica laid from tip to tip") {
     for (const Vec2& p : points_within(0.2)) CHECK(round.at(p) == Approx(length(p - Vec2(0, 0.05)) - 0.03).margin(1e-15));
 }
 
-TEST_CASE("an egg's sides touch both of its discs and bulge as told") {
+TEST_CASE("an egg's sides touch both of its discs and bulge as asked") {
     for (const double bulge : {0.001, 0.2, 0.6, 0.95, 0.999999})
         for (const auto& [a, b, height] : {std::tuple(0.035, 0.015, 0.04), {0.01, 0.03, 0.05}, {0.02, 0.02, 0.03}, {0.03, 0.01, 0.0201}}) {
             INFO(a << " " << b << " " << height << " " << bulge);
@@ -409,7 +409,7 @@ TEST_CASE("a straight joint is a box that starts at the origin") {
     for (const Vec2& p : points_within(0.2)) CHECK(joint.at(p) == Approx(field_of(box, p - Vec2(0.05, 0))).margin(1e-15));
 }
 
-TEST_CASE("a bent joint is a ring with its middle as long as told") {
+TEST_CASE("a bent joint is a ring with its middle as long as asked") {
     for (const double angle : {0.05, 1.0, 90.0, 180.0, 270.0}) {
         const double radius = 0.1 * 360 / tau / angle;
         const Field left(Joint<double>{.length = 0.1, .angle = angle, .thickness = 0.02});

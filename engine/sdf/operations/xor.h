@@ -10,7 +10,7 @@ namespace pinfield::sdf {
 
 /// The points that are in an odd number of children. Its distance is the least of the children's, so it is exact on both sides
 /// where outlines only cross. Where two run along each other the field has a seam of zeros that is no outline; whether they do
-/// cannot be told from the children's exactness, so what is promised for more than one child is a bound.
+/// does not follow from the children's exactness, so what is promised for more than one child is a bound.
 template <class Real>
 struct Xor {
     static Real combine(const Real& a, const Real& b) { return max(min(a, b), -max(a, b)); }

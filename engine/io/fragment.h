@@ -1,0 +1,22 @@
+// Nodes without a table: what is cut, copied and pasted.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.h"
+#include "engine/scene/scene.h"
+
+namespace pinfield {
+
+/// A node that is in no scene yet, and the author's text of it: one item of a list, its dash in the first column.
+struct Fragment {
+    Subtree nodes;
+    std::string text;
+};
+
+/// The nodes of a text that was copied from a table or written by hand: a list of nodes, or one node alone. Fails with line, column and
+/// hint of the first error. Names of materials and inputs are looked up only where the nodes are put.
+Result<std::vector<Fragment>> read_fragments(const std::string& text, const std::shared_ptr<const Catalog>& catalog);
+
+}  // namespace pinfield
