@@ -51,6 +51,11 @@ App::App(AppState state, std::unique_ptr<Window> window, const AppOptions& optio
     window_->listen(options.listen);
     ui_.theme = make_theme(static_cast<float>(window_->content_scale()), static_cast<float>(options.font_size));
     last_seconds_ = window_->seconds();
+    state_.give_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
+    state_.ask_clipboard = [] {
+        const char* text = ImGui::GetClipboardText();
+        return std::string(text ? text : "");
+    };
 }
 
 void App::run() {

@@ -150,6 +150,7 @@ bool copy(AppState& state) {
     Result<std::string> text = copied_text(state.document, state.selection.nodes());
     if (!text) return say(state, text.error().message, true), false;
     state.clipboard = std::move(*text);
+    if (state.give_clipboard) state.give_clipboard(state.clipboard);
     say(state, "Copied");
     return true;
 }
@@ -158,14 +159,11 @@ void cut(AppState& state) {
     if (copy(state)) take(state, remove_nodes(state.document, state.selection.nodes()), "Cut");
 }
 
-void paste(AppState& state) {
+/// `centre`: where the middle of it goes; none: where the text says.
+void paste(AppState& state, const std::optional<Vec2>& centre) {
+    if (state.ask_clipboard) state.clipboard = state.ask_clipboard();
     const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
-    take(state, paste_text(state.document, state.clipboard, spot, state.view.centre), "Pasted");
-}
-
-void paste_in_place(AppState& state) {
-    const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
-    take(state, paste_text(state.document, state.clipboard, spot, {}), "Pasted");
+    take(state, paste_text(state.document, state.clipboard, spot, centre), "Pasted");
 }
 
 void select_all(AppState& state) { state.selection = Selection(state.document.scene().roots()); }
@@ -184,6 +182,8 @@ void shift_selection(AppState& state, int by) {
 }
 
 bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
+
+bool can_paste(const AppState& s) { return !s.document.previewing() && (!s.clipboard.empty() || s.ask_clipboard); }
 
 struct Handler {
     std::string_view action;
@@ -207,8 +207,8 @@ constexpr Handler handlers[] = {
     {"edit.deselect", always, deselect},
     {"edit.cut", has_selection, cut},
     {"edit.copy", has_selection, [](AppState& s) { copy(s); }},
-    {"edit.paste", [](const AppState& s) { return !s.clipboard.empty(); }, paste},
-    {"edit.paste_in_place", [](const AppState& s) { return !s.clipboard.empty(); }, paste_in_place},
+    {"edit.paste", can_paste, [](AppState& s) { paste(s, s.view.centre); }},
+    {"edit.paste_in_place", can_paste, [](AppState& s) { paste(s, {}); }},
     {"edit.duplicate", has_selection, duplicate},
     {"edit.delete", has_selection, delete_selection},
     {"edit.select_all", always, select_all},

@@ -1,5 +1,6 @@
 // The editor's whole state and what actions do to it: everything a script or a test can reach without a window.
 #pragma once
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,7 +30,9 @@ struct AppState {
     Session session;
     View view;
     Selection selection;
-    std::string clipboard;      ///< what was cut or copied: YAML; a window shares it with other programs
+    std::string clipboard;      ///< what was cut or copied: YAML
+    std::function<void(const std::string&)> give_clipboard{};  ///< to other programs, where there is a window
+    std::function<std::string()> ask_clipboard{};              ///< of other programs, likewise
     std::optional<Prompt> prompt;
     std::string message;        ///< status line; what the last action said
     bool message_is_problem = false;

@@ -13,6 +13,7 @@
 #include "engine/core/trig.h"
 #include "engine/io/fragment.h"
 #include "engine/io/structure_patch.h"
+#include "engine/scene/validate.h"
 
 namespace pinfield::editor {
 namespace {
@@ -73,6 +74,15 @@ std::string free_name(const std::set<std::string, std::less<>>& taken, const std
     const std::string stem = numbered ? name.substr(0, digits) : name + "_";
     for (int number = numbered ? std::stoi(name.substr(digits)) + 1 : 2;; ++number)
         if (std::string next = fmt::format("{}{}", stem, number); !taken.count(next)) return next;
+}
+
+std::vector<Vec2> regular_polygon(int corners) {
+    std::vector<Vec2> out;
+    for (int i = 0; i < corners; ++i) {
+        const double turn = 360.0 * i / corners - 90;
+        out.emplace_back(std::round(30 * cosine_degrees(turn)) / 1000, std::round(30 * sine_degrees(turn)) / 1000);
+    }
+    return out;
 }
 
 /// Puts a node read from a text into the scene; where an id is taken, the node gets one that is free in a step of its own.
@@ -207,8 +217,11 @@ Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, c
         FieldSlot& slot = node.fields[i];
         if (field.key == "at") slot = {Vec2(std::round(local.x() * 1e3) / 1e3, std::round(local.y() * 1e3) / 1e3), true, {}};
         else if (field.meta.required) slot.is_explicit = true;
-        if (field.meta.required && field.kind == FieldKind::points)
-            slot.value = std::vector<Vec2>{{-0.03, -0.02}, {0.03, -0.02}, {0.0, 0.03}};
+        // As few corners of a regular polygon as the node's contracts take.
+        for (int corners = 3; field.meta.required && field.kind == FieldKind::points && corners < 9; ++corners) {
+            slot.value = regular_polygon(corners);
+            if (!broken_contract(node)) break;
+        }
     }
     EditPlan plan(document.scene());
     Subtree nodes = plan.scene().with_new_ids(workshop.copy(root));

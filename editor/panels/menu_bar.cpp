@@ -26,6 +26,39 @@ void menu_item(AppState& state, const Theme& theme, const Action& action) {
     tooltip(theme, action.doc);
 }
 
+/// Every node type of these kinds, by name.
+std::vector<const NodeType*> types_of(const Catalog& catalog, NodeKind kind) {
+    std::vector<const NodeType*> out;
+    for (const NodeType& type : catalog.types())
+        if (type.meta.kind == kind) out.push_back(&type);
+    std::sort(out.begin(), out.end(), [](const NodeType* a, const NodeType* b) { return a->key() < b->key(); });
+    return out;
+}
+
+/// A row of the menu for a node type, with its documentation; whether it was chosen.
+bool type_item(const Theme& theme, const NodeType& type) {
+    const bool chosen = ImGui::MenuItem(std::string(type.key()).c_str());
+    tooltip(theme, type.meta.doc);
+    return chosen;
+}
+
+/// What can be added to the table, and what the selection can be put into.
+void add_menu(AppState& state, const Theme& theme) {
+    const std::pair<const char*, NodeKind> kinds[] = {
+        {"Part", NodeKind::part}, {"Shape", NodeKind::shape}, {"Operator", NodeKind::operation}};
+    for (const auto& [title, kind] : kinds) {
+        if (!ImGui::BeginMenu(title)) continue;
+        for (const NodeType* type : types_of(*state.catalog, kind))
+            if (type_item(theme, *type)) add_node(state, *type);
+        ImGui::EndMenu();
+    }
+    ImGui::Separator();
+    if (!ImGui::BeginMenu("Put the selection in", !state.selection.empty())) return;
+    for (const NodeType* type : types_of(*state.catalog, NodeKind::operation))
+        if (type_item(theme, *type)) wrap_selection(state, *type);
+    ImGui::EndMenu();
+}
+
 /// File name and whether it has unsaved changes, in the middle of the bar.
 void document_title(const AppState& state, const Theme& theme) {
     const std::string& path = state.document.path();
@@ -55,9 +88,13 @@ float menu_bar(AppState& state, Ui& ui) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(8), theme.px(8)));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(12), theme.px(7)));
         for (const std::string_view menu : menus_in_order()) {
-            if (!ImGui::BeginMenu(std::string(menu).c_str())) continue;
-            for (const Action& action : all_actions())
-                if (action.menu == menu) menu_item(state, theme, action);
+            if (ImGui::BeginMenu(std::string(menu).c_str())) {
+                for (const Action& action : all_actions())
+                    if (action.menu == menu) menu_item(state, theme, action);
+                ImGui::EndMenu();
+            }
+            if (menu != "Edit" || !ImGui::BeginMenu("Add")) continue;
+            add_menu(state, theme);
             ImGui::EndMenu();
         }
         ImGui::PopStyleVar(2);
