@@ -137,13 +137,13 @@ void frame_selection(AppState& state) {
     else run(state, "view.all");
 }
 
-void delete_selection(AppState& state) { take(state, remove_nodes(state.document, state.selection.nodes()), "Deleted"); }
+void delete_selection(AppState& state) { take(state, remove_nodes(state.document, state.selection.nodes())); }
 
 /// Copies lie a little beside what they were made of, so that both are seen.
 constexpr double beside = 0.02;  // metres
 
 void duplicate(AppState& state) {
-    take(state, duplicate_nodes(state.document, state.selection.nodes(), {beside, -beside}), "Duplicated");
+    take(state, duplicate_nodes(state.document, state.selection.nodes(), {beside, -beside}));
 }
 
 bool copy(AppState& state) {
@@ -156,20 +156,20 @@ bool copy(AppState& state) {
 }
 
 void cut(AppState& state) {
-    if (copy(state)) take(state, remove_nodes(state.document, state.selection.nodes()), "Cut");
+    if (copy(state)) take(state, remove_nodes(state.document, state.selection.nodes()));
 }
 
 /// `centre`: where the middle of it goes; none: where the text says.
 void paste(AppState& state, const std::optional<Vec2>& centre) {
     if (state.ask_clipboard) state.clipboard = state.ask_clipboard();
     const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
-    take(state, paste_text(state.document, state.clipboard, spot, centre), "Pasted");
+    take(state, paste_text(state.document, state.clipboard, spot, centre));
 }
 
 void select_all(AppState& state) { state.selection = Selection(state.document.scene().roots()); }
 
 void group(AppState& state) { wrap_selection(state, *state.catalog->find("group")); }
-void unwrap(AppState& state) { take(state, unwrap_nodes(state.document, state.selection.nodes()), "Unwrapped"); }
+void unwrap(AppState& state) { take(state, unwrap_nodes(state.document, state.selection.nodes())); }
 
 /// One place up or down among its siblings.
 void shift_selection(AppState& state, int by) {
@@ -178,7 +178,7 @@ void shift_selection(AppState& state, int by) {
     if (chosen.size() != 1) return say(state, "Select one node to move it", true);
     const int index = scene.index_of(chosen[0]) + by;
     if (index < 0 || index >= static_cast<int>(scene.siblings(chosen[0]).size())) return;
-    take(state, move_nodes(state.document, chosen, {scene.find(chosen[0])->parent, index + (by > 0 ? 1 : 0)}, true), "Moved");
+    take(state, move_nodes(state.document, chosen, {scene.find(chosen[0])->parent, index + (by > 0 ? 1 : 0)}, true));
 }
 
 bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
@@ -279,25 +279,24 @@ bool edit(AppState& state, const SetField& change, const std::string& label) {
     return !why;
 }
 
-bool take(AppState& state, const Outcome& outcome, const std::string& done) {
+bool take(AppState& state, const Outcome& outcome) {
     if (outcome.refusal) return say(state, *outcome.refusal, true), false;
     state.selection = Selection(outcome.nodes);
-    say(state, state.document.undo_label() ? *state.document.undo_label() : done);
+    say(state, outcome.done);
     return true;
 }
 
 void add_node(AppState& state, const NodeType& type) {
-    const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
-    const bool part = type.meta.kind == NodeKind::part;
+    const Scene& scene = state.document.scene();
+    Spot spot = spot_after(scene, state.selection.nodes());
     // A part stands at the top level or in a group, whatever is selected.
-    Spot allowed = spot;
-    while (part && allowed.parent && misplaced_part(type, state.document.scene().find(allowed.parent)->type, {}))
-        allowed = {state.document.scene().find(allowed.parent)->parent, state.document.scene().index_of(allowed.parent) + 1};
-    take(state, insert_new(state.document, type, allowed, state.view.centre), "Added");
+    while (spot.parent && misplaced_part(type, scene.find(spot.parent)->type, {}))
+        spot = {scene.find(spot.parent)->parent, scene.index_of(spot.parent) + 1};
+    take(state, insert_new(state.document, type, spot, state.view.centre));
 }
 
 void wrap_selection(AppState& state, const NodeType& type) {
-    take(state, wrap_nodes(state.document, state.selection.nodes(), type), "Wrapped");
+    take(state, wrap_nodes(state.document, state.selection.nodes(), type));
 }
 
 void advance(AppState& state, int ticks) {

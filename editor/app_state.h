@@ -57,7 +57,7 @@ void add_node(AppState& state, const NodeType& type);
 /// Puts the selected nodes into a new node of this type.
 void wrap_selection(AppState& state, const NodeType& type);
 /// Selects what a structural edit has left, or says why there was none. True when it was done.
-bool take(AppState& state, const Outcome& outcome, const std::string& done);
+bool take(AppState& state, const Outcome& outcome);
 /// Lets the running table take what changed, then advances it: once a frame.
 void advance(AppState& state, int ticks);
 /// Follows the file when it was changed outside: now and then.

@@ -110,17 +110,19 @@ std::optional<std::string> Document::edit(const SetField& edit, const std::strin
 std::optional<std::string> Document::edit(std::span<const Edit> edits, const std::string& label) {
     cancel_preview();
     if (edits.empty()) return {};
+    const std::size_t before = position_;
     if (auto why = write(edits, label)) return why;
+    if (position_ == before) return {};
     const std::vector<SceneChange>& made = history_.back().changes;
     changes_.insert(changes_.end(), made.begin(), made.end());
     return {};
 }
 
-/// Makes the text say the edits, as one step.
+/// Makes the text say the edits, as one step; no step where it says so already.
 std::optional<std::string> Document::write(std::span<const Edit> edits, const std::string& label) {
     Result<PatchedText> patched = patch_for(*reading_, edits);
     if (!patched) return patched.error().message;
-    if (patched->patches.empty()) return {};
+    if (patched->reading.source().text() == source().text()) return {};
     Step step{label, shared_source(), {}, reading_->scene.all(), {}, changes_of(edits)};
     reading_ = std::make_shared<const Reading>(std::move(patched->reading));
     step.source_after = shared_source();

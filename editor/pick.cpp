@@ -33,7 +33,7 @@ double area_of(const Box2& box) {
 /// A scene node (the edge of a table without a domain belongs to the table's record), and neither it nor what it lies in is locked.
 bool is_free(const Scene& scene, NodeId id) {
     const Node* node = scene.find(id);
-    if (!node || node->type->meta.kind == NodeKind::record) return false;
+    if (!node || node->is_record()) return false;
     for (; node; node = node->parent ? scene.find(node->parent) : nullptr)
         if (node->get<bool>("locked")) return false;
     return true;
@@ -103,7 +103,7 @@ Box2 bounds_of(const AppState& state, NodeId node) {
     for (const Sensor& sensor : program.sensors) box = box.merged(bounds_in(sensor.field, nodes));
     if (!box.is_empty() || !state.document.scene().find(node)) return box;
     const Node& found = *state.document.scene().find(node);
-    if (found.type->meta.kind == NodeKind::record) return {{0, 0}, program.size};
+    if (found.is_record()) return {{0, 0}, program.size};
     const Vec2 place = world_from_local(state.document.scene(), node).offset;
     return Box2{place, place}.grown(place_radius);
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -18,7 +17,6 @@
 namespace pinfield::editor {
 namespace {
 
-bool is_record(const Node& node) { return node.type->meta.kind == NodeKind::record; }
 
 std::string counted(std::size_t count, const std::string& one) { return count == 1 ? one : fmt::format("{} nodes", count); }
 std::string label_of(const Scene& scene, std::string_view verb, std::span<const NodeId> nodes) {
@@ -27,10 +25,10 @@ std::string label_of(const Scene& scene, std::string_view verb, std::span<const 
 
 /// Writes the plan as one step.
 Outcome commit(Document& document, const EditPlan& plan, const std::string& label, std::vector<NodeId> nodes) {
-    if (plan.refusal()) return {{}, plan.refusal()};
-    if (auto why = document.edit(plan.edits(), label)) return {{}, std::move(why)};
+    if (plan.refusal()) return {{}, {}, plan.refusal()};
+    if (auto why = document.edit(plan.edits(), label)) return {{}, {}, std::move(why)};
     std::erase_if(nodes, [&](NodeId id) { return !document.scene().find(id); });
-    return {std::move(nodes), {}};
+    return {std::move(nodes), label, {}};
 }
 
 /// A number that a file may hold: no digits that only rounding put there.
@@ -60,7 +58,7 @@ Similarity world_of(const Scene& scene, NodeId node) { return node ? world_from_
 std::set<std::string, std::less<>> names_of(const Scene& scene) {
     std::set<std::string, std::less<>> out;
     for (const NodeId id : scene.all())
-        if (const Node& node = *scene.find(id); !is_record(node) && !node.name.empty()) out.insert(node.name);
+        if (const Node& node = *scene.find(id); !node.is_record() && !node.name.empty()) out.insert(node.name);
     for (const InputBinding& input : scene.inputs) out.insert(input.name);
     return out;
 }
@@ -85,36 +83,15 @@ std::vector<Vec2> regular_polygon(int corners) {
     return out;
 }
 
-/// Puts a node read from a text into the scene; where an id is taken, the node gets one that is free in a step of its own.
-void insert_fragment(EditPlan& plan, const Spot& spot, Subtree nodes, const std::string& text, std::vector<NodeId>& inserted) {
+/// Puts a node into the scene; an id that is taken gets a number behind it.
+void insert_fragment(EditPlan& plan, const Spot& spot, const Fragment& fragment, std::vector<NodeId>& inserted) {
     std::set<std::string, std::less<>> taken = names_of(plan.scene());
-    const Result<std::vector<Fragment>> again = [&]() -> Result<std::vector<Fragment>> {
-        std::string renamed = text;
-        for (const Node& node : nodes) {
-            if (node.name.empty()) continue;
-            const std::string name = free_name(taken, node.name);
-            taken.insert(name);
-            if (name == node.name) continue;
-            // In the node's own text: an edit of a table that holds nothing else.
-            Reading alone = read_table(std::make_shared<const SourceText>("", "pinfield: 1\nscene:\n" + renamed), plan.scene().shared_catalog());
-            const Node* found = alone.scene.find(node.name);
-            if (!found) return failure(fmt::format("the id {} is taken", node.name));
-            const Edit rename = Rename{found->id, node.name, name, true};
-            const auto patches = structure_patches(alone, rename);
-            if (!patches) return tl::unexpected(patches.error());
-            std::string changed = alone.source().text();
-            for (const TextPatch& patch : *patches) changed = pinfield::apply(patch, changed);
-            renamed = changed.substr(changed.find("scene:\n") + 7);
-        }
-        return read_fragments(renamed, plan.scene().shared_catalog());
-    }();
-    if (!again) {
-        plan.refuse(again.error().message);
-        return;
-    }
-    Subtree fresh = plan.scene().with_new_ids(again->front().nodes);
-    inserted.push_back(fresh.front().id);
-    plan.add(Insert{spot.parent, spot.index, std::move(fresh), again->front().text});
+    const auto new_id = [&](const std::string& name) { return name.empty() ? name : *taken.insert(free_name(taken, name)).first; };
+    const Result<Fragment> fresh = with_ids(fragment, new_id, plan.scene().shared_catalog());
+    if (!fresh) return plan.refuse(fresh.error().message);
+    Subtree nodes = plan.scene().with_new_ids(fresh->nodes);
+    inserted.push_back(nodes.front().id);
+    plan.add(Insert{spot.parent, spot.index, std::move(nodes), fresh->text});
 }
 
 }  // namespace
@@ -132,7 +109,7 @@ std::vector<NodeId> outermost(const Scene& scene, std::span<const NodeId> nodes)
     const std::set<NodeId> chosen(nodes.begin(), nodes.end());
     std::vector<NodeId> out;
     for (const NodeId id : scene.all()) {
-        if (!chosen.count(id) || is_record(*scene.find(id))) continue;
+        if (!chosen.count(id) || scene.find(id)->is_record()) continue;
         bool inside = false;
         for (NodeId above = scene.find(id)->parent; above; above = scene.find(above)->parent) inside = inside || chosen.count(above);
         if (!inside) out.push_back(id);
@@ -150,8 +127,8 @@ Outcome remove_nodes(Document& document, std::span<const NodeId> nodes) {
     const Scene& scene = document.scene();
     std::vector<NodeId> chosen = outermost(scene, nodes);
     for (const NodeId id : nodes)
-        if (scene.find(id) && is_record(*scene.find(id)) && !scene.find(id)->name.empty()) chosen.push_back(id);
-    if (chosen.empty()) return {{}, "nothing that can be deleted is selected"};
+        if (scene.find(id) && scene.find(id)->is_record() && !scene.find(id)->name.empty()) chosen.push_back(id);
+    if (chosen.empty()) return {{}, {}, "nothing that can be deleted is selected"};
     const std::string label = label_of(scene, "Delete", chosen);
     EditPlan plan(scene);
     for (const NodeId id : chosen) plan.add(Remove{id});
@@ -160,14 +137,14 @@ Outcome remove_nodes(Document& document, std::span<const NodeId> nodes) {
 
 Outcome duplicate_nodes(Document& document, std::span<const NodeId> nodes, const Vec2& world_delta) {
     const std::vector<NodeId> chosen = outermost(document.scene(), nodes);
-    if (chosen.empty()) return {{}, "nothing that can be duplicated is selected"};
+    if (chosen.empty()) return {{}, {}, "nothing that can be duplicated is selected"};
     EditPlan plan(document.scene());
     std::vector<NodeId> copies;
     for (const NodeId id : chosen) {
         const Result<std::string> text = text_of_node(document.reading(), id);
-        if (!text) return {{}, text.error().message};
+        if (!text) return {{}, {}, text.error().message};
         const Spot spot{plan.scene().find(id)->parent, plan.scene().index_of(id) + 1};
-        insert_fragment(plan, spot, plan.scene().copy(id), *text, copies);
+        insert_fragment(plan, spot, {plan.scene().copy(id), *text}, copies);
         if (plan.refusal()) break;
         const NodeId copy = copies.back();
         if (length(world_delta) > 0)
@@ -191,18 +168,19 @@ Result<std::string> copied_text(const Document& document, std::span<const NodeId
 
 Outcome paste_text(Document& document, const std::string& text, const Spot& spot, const std::optional<Vec2>& centre) {
     const Result<std::vector<Fragment>> fragments = read_fragments(text, document.scene().shared_catalog());
-    if (!fragments) return {{}, fmt::format("The text cannot be pasted: {}", fragments.error().message)};
+    if (!fragments) return {{}, {}, fmt::format("The text cannot be pasted: {}", fragments.error().message)};
     EditPlan plan(document.scene());
     std::vector<NodeId> pasted;
     for (std::size_t i = 0; i < fragments->size() && !plan.refusal(); ++i)
-        insert_fragment(plan, {spot.parent, spot.index + static_cast<int>(i)}, (*fragments)[i].nodes, (*fragments)[i].text, pasted);
-    if (centre && !plan.refusal()) {
+        insert_fragment(plan, {spot.parent, spot.index + static_cast<int>(i)}, (*fragments)[i], pasted);
+    if (plan.refusal()) return {{}, {}, plan.refusal()};
+    if (centre) {
         Vec2 middle(0, 0);
         for (const NodeId id : pasted) middle += world_from_local(plan.scene(), id).offset / static_cast<double>(pasted.size());
         for (const NodeId id : pasted)
             plan.add(moved(plan.scene(), id, plan.scene().find(id)->get<Vec2>("at"), *centre - middle, default_grid));
     }
-    return commit(document, plan, fmt::format("Paste {}", counted(pasted.size(), pasted.empty() || plan.refusal() ? "nothing" : plan.scene().path(pasted.front()))), pasted);
+    return commit(document, plan, fmt::format("Paste {}", counted(pasted.size(), plan.scene().path(pasted.front()))), pasted);
 }
 
 Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, const Vec2& world) {
@@ -232,7 +210,7 @@ Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, c
 
 Outcome wrap_nodes(Document& document, std::span<const NodeId> nodes, const NodeType& type) {
     const std::vector<NodeId> chosen = outermost(document.scene(), nodes);
-    if (chosen.empty()) return {{}, "nothing that can be wrapped is selected"};
+    if (chosen.empty()) return {{}, {}, "nothing that can be wrapped is selected"};
     EditPlan plan(document.scene());
     const NodeId parent = plan.scene().find(chosen.front())->parent;
     for (std::size_t i = 1; i < chosen.size(); ++i) {
@@ -254,7 +232,7 @@ Outcome wrap_nodes(Document& document, std::span<const NodeId> nodes, const Node
 
 Outcome unwrap_nodes(Document& document, std::span<const NodeId> nodes) {
     const std::vector<NodeId> chosen = outermost(document.scene(), nodes);
-    if (chosen.empty()) return {{}, "nothing that can be unwrapped is selected"};
+    if (chosen.empty()) return {{}, {}, "nothing that can be unwrapped is selected"};
     EditPlan plan(document.scene());
     std::vector<NodeId> freed;
     for (const NodeId id : chosen) {
@@ -278,7 +256,7 @@ Outcome unwrap_nodes(Document& document, std::span<const NodeId> nodes) {
 
 Outcome move_nodes(Document& document, std::span<const NodeId> nodes, const Spot& spot, bool keep_world) {
     const std::vector<NodeId> chosen = outermost(document.scene(), nodes);
-    if (chosen.empty()) return {{}, "nothing that can be moved is selected"};
+    if (chosen.empty()) return {{}, {}, "nothing that can be moved is selected"};
     EditPlan plan(document.scene());
     int index = spot.index;
     for (const NodeId id : chosen) {
@@ -294,8 +272,8 @@ Outcome move_nodes(Document& document, std::span<const NodeId> nodes, const Spot
 
 Outcome rename_node(Document& document, NodeId id, const std::string& name) {
     const Node* node = document.scene().find(id);
-    if (!node) return {{}, "the node no longer exists"};
-    if (name == node->name) return {{id}, {}};
+    if (!node) return {{}, {}, "the node no longer exists"};
+    if (name == node->name) return {{id}, {}, {}};
     EditPlan plan(document.scene());
     plan.add(Rename{id, node->name, name, !name.empty()});
     const std::string label = fmt::format("Rename {} to {}", document.scene().path(id), name.empty() ? "nothing" : name);
@@ -303,7 +281,7 @@ Outcome rename_node(Document& document, NodeId id, const std::string& name) {
 }
 
 Outcome change_type(Document& document, NodeId id, const NodeType& type) {
-    if (!document.scene().find(id)) return {{}, "the node no longer exists"};
+    if (!document.scene().find(id)) return {{}, {}, "the node no longer exists"};
     EditPlan plan(document.scene());
     plan.add(retyped(document.scene(), id, type));
     return commit(document, plan, fmt::format("Change {} to {}", document.scene().path(id), type.key()), {id});

@@ -28,9 +28,10 @@ private:
     std::optional<std::string> refusal_;
 };
 
-/// What came of it: the nodes to select, or why nothing was done.
+/// What came of it: the nodes to select and what was done ("Delete pop"), or why nothing was.
 struct Outcome {
     std::vector<NodeId> nodes;
+    std::string done;
     std::optional<std::string> refusal;
 };
 

@@ -148,7 +148,7 @@ private:
         const std::string title = fitted(title_of(node), right - x);
         list.AddText({x, text_y}, ink(node.name.empty() && !selected ? palette::quiet : name_color), title.c_str());
         const float after = x + ImGui::CalcTextSize(title.c_str()).x + theme.px(10);
-        if (node.name.empty() || node.type->meta.kind == NodeKind::record) return;
+        if (node.name.empty() || node.is_record()) return;
         const std::string type(node.type->key());
         const float type_size = theme.small->FontSize;
         const float type_width = theme.small->CalcTextSizeA(type_size, 1e9f, 0, type.c_str()).x;

@@ -22,12 +22,11 @@ void drag_node(AppState& state, Ui& ui) {
     if (ImGui::IsItemActivated() && io.MouseDown[0] && !io.KeyAlt) {
         ui.pressed_node = pick(state, ui.mouse_world, pick_slack_pixels / state.view.pixels_per_metre);
         ui.pressed_at = ui.mouse_world;
-        // Shift adds to the selection; pressing what is selected already keeps it, so that it can be dragged.
-        if (io.KeyShift) state.selection.toggle(ui.pressed_node);
-        else state.selection.set(ui.pressed_node);
+        if (!io.KeyShift) state.selection.set(ui.pressed_node);
     }
     if (!ImGui::IsItemActive()) {
         if (ui.drag.active()) tell(state, ui.drag.end(state.document));
+        else if (ui.pressed_node && io.KeyShift) state.selection.toggle(ui.pressed_node);  // with a drag, Shift locks the axis
         ui.pressed_node = {};
         return;
     }
@@ -95,7 +94,7 @@ void draw_marks(const AppState& state, const Ui& ui, ImDrawList& list) {
 
 void name_tag(const AppState& state, const Theme& theme, ImDrawList& list, NodeId id, const Tint& color) {
     const Node* node = state.document.scene().find(id);
-    if (!node || !node->type || node->type->meta.kind == NodeKind::record) return;
+    if (!node || !node->type || node->is_record()) return;
     const Box2 box = bounds_of(state, id);
     if (box.is_empty() || !box.is_finite()) return;
     const std::string text = title_of(*node);

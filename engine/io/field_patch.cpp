@@ -204,7 +204,7 @@ Result<Splice> splice_for(const Reading& now, const Node& node, const SetField& 
     };
     const EntryOfNode entry = find_entry(*now.tree, node);
     if (!entry.owner) {
-        if (node.type->meta.kind != NodeKind::record) return failure("the text does not hold the node");
+        if (!node.is_record()) return failure("the text does not hold the node");
         return new_section(text, *now.tree->root, node, new_entry());
     }
     const YamlNode& body = entry.owner->value(entry.index);

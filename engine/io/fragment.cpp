@@ -15,6 +15,18 @@ std::string as_list(const std::string& text, const YamlTree& tree) {
     return "- " + text.substr(0, tree.root->span.begin) + indented_lines(text.substr(tree.root->span.begin), 2).substr(2);
 }
 
+/// The scalars that are ids of the nodes in a list.
+void add_ids(const YamlNode& list, std::vector<const YamlNode*>& out) {
+    for (const YamlNode* item : list.items) {
+        if (item->kind != YamlKind::map || item->entries() != 1) continue;
+        const YamlNode& body = item->value(0);
+        for (std::size_t i = 0; i < body.entries(); ++i) {
+            if (body.key(i).text == "id" && body.value(i).kind == YamlKind::scalar) out.push_back(&body.value(i));
+            if (body.key(i).text == "children") add_ids(body.value(i), out);
+        }
+    }
+}
+
 Failure failure_of(const Diagnostics& diagnostics, const SourceText& source) {
     for (const Diagnostic& d : diagnostics) {
         if (d.severity != Severity::error) continue;
@@ -42,6 +54,22 @@ Result<std::vector<Fragment>> read_fragments(const std::string& text, const std:
     for (std::size_t i = 0; i < scene.roots().size(); ++i)
         out.push_back({scene.copy(scene.roots()[i]), item_text(source.text(), *tree.root, i).block});
     return out;
+}
+
+Result<Fragment> with_ids(const Fragment& fragment, const std::function<std::string(const std::string&)>& new_id,
+                          const std::shared_ptr<const Catalog>& catalog) {
+    const SourceText source("pasted", fragment.text);
+    const YamlTree tree = read_yaml(source);
+    std::vector<const YamlNode*> ids;
+    if (tree.root) add_ids(*tree.root, ids);
+    std::vector<std::string> names;
+    for (const YamlNode* id : ids) names.push_back(new_id(std::string(id->text)));
+    std::string text = fragment.text;
+    for (std::size_t i = ids.size(); i-- > 0;)
+        if (names[i] != ids[i]->text) text.replace(ids[i]->span.begin, ids[i]->span.end - ids[i]->span.begin, names[i]);
+    Result<std::vector<Fragment>> again = read_fragments(text, catalog);
+    if (!again) return tl::unexpected(again.error());
+    return std::move(again->front());
 }
 
 }  // namespace pinfield

@@ -1,5 +1,6 @@
 // Nodes without a table: what is cut, copied and pasted.
 #pragma once
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,5 +19,9 @@ struct Fragment {
 /// The nodes of a text that was copied from a table or written by hand: a list of nodes, or one node alone. Fails with line, column and
 /// hint of the first error. Names of materials and inputs are looked up only where the nodes are put.
 Result<std::vector<Fragment>> read_fragments(const std::string& text, const std::shared_ptr<const Catalog>& catalog);
+
+/// The same node with other ids, in its text too: `new_id` is asked for each that it has, in the order of the text.
+Result<Fragment> with_ids(const Fragment& fragment, const std::function<std::string(const std::string&)>& new_id,
+                          const std::shared_ptr<const Catalog>& catalog);
 
 }  // namespace pinfield

@@ -33,9 +33,6 @@ struct ReadContext {
     std::size_t errors_so_far() const { return diagnostics.size(); }
 };
 
-/// [a-z_][a-z0-9_]*
-bool is_name(std::string_view text);
-
 /// False for the keys that read_yaml() has reported already: lists, maps, null and <<.
 inline bool is_plain_key(const YamlNode& key) { return key.kind == YamlKind::scalar && key.text != "<<"; }
 

@@ -35,9 +35,8 @@ struct Children {
 };
 
 const YamlNode* list_of(const YamlNode& body, std::string_view key) {
-    for (std::size_t i = 0; i < body.entries(); ++i)
-        if (body.kind == YamlKind::map && body.key(i).text == key) return &body.value(i);
-    return nullptr;
+    const std::size_t entry = body.kind == YamlKind::map ? body.entry_of(key) : body.entries();
+    return entry < body.entries() ? &body.value(entry) : nullptr;
 }
 
 /// The author's text while it changes, a step at a time.
@@ -139,18 +138,11 @@ Indices parent_of(Indices node) {
     return node;
 }
 
-/// The map of materials: its entry in the root, or none.
-std::optional<std::size_t> find_section_entry(const YamlNode& root, std::string_view key) {
-    for (std::size_t i = 0; i < root.entries(); ++i)
-        if (root.key(i).text == key) return i;
-    return {};
-}
-
 Result<void> insert_material(Rewriting& text, const Node& material) {
     const std::string entry = fmt::format("{}: {}", material.name, flow_map(explicit_entries(material, text.style(nullptr))));
     const YamlNode& root = text.root();
-    const auto section = find_section_entry(root, "materials");
-    if (!section) {
+    const std::size_t section = root.entry_of("materials");
+    if (section == root.entries()) {
         std::size_t index = 0;
         for (std::size_t i = 0; i < root.entries(); ++i)
             for (const std::string_view before : {"pinfield", "table", "physics"})
@@ -160,7 +152,7 @@ Result<void> insert_material(Rewriting& text, const Node& material) {
         return text.write({insert_entry(text.text(), root, index,
                                         block ? fmt::format("materials:{}  {}", brk, entry) : fmt::format("materials: {{{}}}", entry))});
     }
-    const YamlNode& map = root.value(*section);
+    const YamlNode& map = root.value(section);
     if (map.target || map.references > 0) return tl::unexpected(shared_failure(map));
     if (map.is_empty()) return text.write({insert_body(text.text(), map, entry)});
     return text.write({insert_entry(text.text(), map, map.entries(), entry)});
@@ -177,7 +169,7 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Insert& edit) {
 
 Result<void> rewrite(Rewriting& text, const Scene& scene, const Remove& edit) {
     const Node& node = *scene.find(edit.node);
-    if (node.type->meta.kind == NodeKind::record) {
+    if (node.is_record()) {
         const EntryOfNode entry = find_entry(text.tree(), node);
         if (!entry.owner) return failure("the text does not hold the material");
         return text.write({remove_entry(text.text(), *entry.owner, entry.index)});
@@ -264,11 +256,7 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Retype& edit) {
         const auto kept = edit.type->find_field(key);
         if (!node.fields[i].is_explicit || (kept && at(edit.fields, *kept).is_explicit)) continue;
         const YamlNode& body = *text.children_of(indices)->body;
-        for (std::size_t entry = 0; entry < body.entries(); ++entry)
-            if (body.key(entry).text == key) {
-                if (const auto written = text.write({remove_entry(text.text(), body, entry)}); !written) return written;
-                break;
-            }
+        if (const auto written = text.write({remove_entry(text.text(), body, body.entry_of(key))}); !written) return written;
     }
     for (std::size_t i = 0; i < edit.fields.size(); ++i) {
         const FieldType& field = edit.type->fields[i];
@@ -325,7 +313,7 @@ private:
 Result<void> rewrite(Rewriting& text, const Scene& scene, const Rename& edit) {
     NameSplices names(text, edit);
     const Node* node = edit.node ? scene.find(edit.node) : nullptr;
-    if (node && node->type->meta.kind != NodeKind::record) {
+    if (node && !node->is_record()) {
         const int id = *node->type->find_field("id");
         Result<Splice> own = splice_for(text.now(), *node, {edit.node, id, edit.to, edit.is_explicit});
         if (!own) return tl::unexpected(own.error());
@@ -358,6 +346,7 @@ Result<std::vector<TextPatch>> structure_patches(const Reading& now, const Edit&
 }
 
 Result<std::string> text_of_node(const Reading& now, NodeId node) {
+    if (now.scene.find(node)->is_record()) return failure("only nodes of the scene are items of a list");
     Indices indices = indices_of(now.scene, node);
     const int last = indices.back();
     const Result<ItemText> item = Rewriting(now).item(parent_of(std::move(indices)), last);

@@ -9,6 +9,7 @@
 #include "engine/core/closest.h"
 #include "engine/core/color.h"
 #include "engine/io/quantity.h"
+#include "engine/scene/validate.h"
 #include "engine/io/yaml_text.h"
 
 namespace pinfield {
@@ -187,12 +188,6 @@ std::optional<std::string> read_word(ReadContext& context, const FieldType& fiel
 }
 
 }  // namespace
-
-bool is_name(std::string_view text) {
-    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
-    return !text.empty() && letter(text[0]) &&
-           std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
-}
 
 void report_missing_value(ReadContext& context, const YamlNode& key, const YamlNode& value) {
     const std::string_view text = context.source.text();

@@ -148,12 +148,6 @@ std::vector<Span> pieces_of(std::string_view text, const YamlNode& list) {
     return out;
 }
 
-std::size_t entry_of(const YamlNode& map, std::string_view key) {
-    std::size_t entry = 0;
-    while (entry < map.entries() && map.key(entry).text != key) ++entry;
-    return entry;
-}
-
 std::size_t after_colon(std::string_view text, const YamlNode& key) { return text.find(':', key.span.end) + 1; }
 
 }  // namespace
@@ -267,7 +261,7 @@ std::optional<Splice> insert_item(std::string_view text, const YamlNode& list, s
 std::optional<std::vector<Splice>> insert_first_item(std::string_view text, const YamlNode& body, std::string_view key, const ItemText& item,
                                                      ListStyle style) {
     const std::string brk(line_break(text));
-    const std::size_t entry = entry_of(body, key);
+    const std::size_t entry = body.entry_of(key);
     if (body.style != YamlStyle::block) {
         if (item.flow.empty()) return {};
         if (entry == body.entries()) return {{insert_entry(text, body, entry, fmt::format("{}: [{}]", key, item.flow))}};
@@ -287,7 +281,7 @@ std::optional<std::vector<Splice>> insert_first_item(std::string_view text, cons
                                                      const ItemText& item, ListStyle style) {
     const YamlNode &header = map.key(index), &body = map.value(index);
     const std::string brk(line_break(text));
-    const std::size_t entry = entry_of(body, key);
+    const std::size_t entry = body.entry_of(key);
     const YamlNode* list = entry < body.entries() ? &body.value(entry) : nullptr;
     if (list && list->anchored) return {};
     if (body.kind == YamlKind::map && body.style == YamlStyle::block) return insert_first_item(text, body, key, item, style);

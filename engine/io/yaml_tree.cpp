@@ -365,11 +365,16 @@ bool YamlNode::is_empty() const {
                                       (text == "~" || text == "null" || text == "Null" || text == "NULL"));
 }
 
+std::size_t YamlNode::entry_of(std::string_view wanted) const {
+    std::size_t i = 0;
+    while (i < entries() && key(i).text != wanted) ++i;
+    return i;
+}
+
 const YamlNode* YamlNode::find(std::string_view wanted) const {
     if (kind != YamlKind::map) return nullptr;
-    for (std::size_t i = 0; i < entries(); ++i)
-        if (key(i).text == wanted) return &value(i).resolved();
-    return nullptr;
+    const std::size_t i = entry_of(wanted);
+    return i < entries() ? &value(i).resolved() : nullptr;
 }
 
 YamlTree read_yaml(const SourceText& source, const Limits& limits) {

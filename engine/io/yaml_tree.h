@@ -37,6 +37,8 @@ struct YamlNode {
     const YamlNode& key(std::size_t i) const { return *items[2 * i]; }
     /// Value of entry i as it stands in the text: perhaps an alias.
     const YamlNode& value(std::size_t i) const { return *items[2 * i + 1]; }
+    /// Index of the first entry with this key, or entries().
+    std::size_t entry_of(std::string_view key) const;
     /// Value (resolved) of the first entry with this key, or null.
     const YamlNode* find(std::string_view key) const;
 };

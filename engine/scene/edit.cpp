@@ -15,15 +15,15 @@ namespace {
 using Reason = std::optional<std::string>;
 
 bool is_id_field(const FieldType& field) { return field.common && field.meta.meaning == Meaning::id; }
-bool is_record(const Node& node) { return node.type->meta.kind == NodeKind::record; }
 
 Reason gone() { return "the node no longer exists"; }
 
-/// Where a node may be put: the parent exists, takes children, and has the place.
-Reason why_no_place(const Scene& scene, NodeId parent, int index, int count) {
+/// Where a node may be put: the parent exists, takes children, and has the place. `leaving`: how many of its children go away first.
+Reason why_no_place(const Scene& scene, NodeId parent, int index, int leaving) {
     if (parent && !scene.find(parent)) return "the node to put it into no longer exists";
     if (parent && scene.find(parent)->type->meta.children.max == 0)
         return fmt::format("{} takes no children", scene.find(parent)->type->key());
+    const int count = static_cast<int>(scene.children_of(parent).size()) - leaving;
     if (index < 0 || index > count) return "there is no such place among the children";
     return {};
 }
@@ -38,7 +38,7 @@ const TableTest::Expectation* expectation_of(const Scene& scene, const std::stri
 
 Reason why_still_needed(const Scene& scene, const Subtree& nodes) {
     for (const Node& node : nodes)
-        if (!is_record(node) && !node.name.empty())
+        if (!node.is_record() && !node.name.empty())
             if (const auto* expectation = expectation_of(scene, node.name))
                 return fmt::format("a test of the table expects {}: take that out first", expectation->text);
     return {};
@@ -50,27 +50,23 @@ Reason why_impossible(const Scene& scene, const Insert& edit) {
     if (edit.nodes.empty()) return "there is nothing to insert";
     for (const Node& node : edit.nodes)
         if (!node.id || scene.find(node.id)) return "a node to insert is in the scene already";
-    const bool record = is_record(edit.nodes.front());
-    return why_no_place(scene, edit.parent, edit.index,
-                        static_cast<int>(record                                    ? scene.materials().size()
-                                         : edit.parent && !scene.find(edit.parent) ? 0
-                                                                                   : scene.children_of(edit.parent).size()));
+    if (!edit.nodes.front().is_record()) return why_no_place(scene, edit.parent, edit.index, 0);
+    if (edit.index < 0 || edit.index > static_cast<int>(scene.materials().size())) return "there is no such place among the materials";
+    return {};
 }
 
 Reason why_impossible(const Scene& scene, const Remove& edit) {
     const Node* node = scene.find(edit.node);
     if (!node) return gone();
-    if (is_record(*node) && node->name.empty()) return fmt::format("{} cannot be removed", node->type->key());
+    if (node->is_record() && node->name.empty()) return fmt::format("{} cannot be removed", node->type->key());
     return why_still_needed(scene, scene.copy(edit.node));
 }
 
 Reason why_impossible(const Scene& scene, const Move& edit) {
     const Node* node = scene.find(edit.node);
-    if (!node || is_record(*node)) return gone();
+    if (!node || node->is_record()) return gone();
     if (edit.parent && scene.find(edit.parent) && scene.is_within(edit.parent, edit.node)) return "a node cannot be put into itself";
-    const bool among_its_own = node->parent == edit.parent;
-    const int count = edit.parent && !scene.find(edit.parent) ? 0 : static_cast<int>(scene.children_of(edit.parent).size());
-    return why_no_place(scene, edit.parent, edit.index, count - (among_its_own ? 1 : 0));
+    return why_no_place(scene, edit.parent, edit.index, node->parent == edit.parent ? 1 : 0);
 }
 
 Reason why_impossible(const Scene& scene, const Wrap& edit) {
@@ -84,14 +80,14 @@ Reason why_impossible(const Scene& scene, const Wrap& edit) {
 
 Reason why_impossible(const Scene& scene, const Unwrap& edit) {
     const Node* node = scene.find(edit.node);
-    if (!node || is_record(*node)) return gone();
+    if (!node || node->is_record()) return gone();
     if (node->children.empty()) return fmt::format("{} holds nothing", scene.path(edit.node));
     return why_still_needed(scene, {*node});
 }
 
 Reason why_impossible(const Scene& scene, const Retype& edit) {
     const Node* node = scene.find(edit.node);
-    if (!node || is_record(*node)) return gone();
+    if (!node || node->is_record()) return gone();
     if (edit.type->meta.kind == NodeKind::record || edit.fields.size() != edit.type->fields.size()) return "a node cannot become that";
     for (std::size_t i = 0; i < edit.fields.size(); ++i) {
         const FieldType& field = edit.type->fields[i];
@@ -99,12 +95,6 @@ Reason why_impossible(const Scene& scene, const Retype& edit) {
         if (const auto why = why_invalid(field, edit.fields[i].value)) return fmt::format("{} {}", field.key, *why);
     }
     return {};
-}
-
-bool is_name_of_record(std::string_view text) {
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
-    return !text.empty() && is_letter(text.front()) &&
-           std::all_of(text.begin(), text.end(), [&](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
 Reason why_impossible(const Scene& scene, const Rename& edit) {
@@ -116,9 +106,9 @@ Reason why_impossible(const Scene& scene, const Rename& edit) {
         return gone();
     }
     if (edit.from == edit.to) return {};
-    const bool is_material = edit.node && is_record(*scene.find(edit.node));
+    const bool is_material = edit.node && scene.find(edit.node)->is_record();
     if (is_material || !edit.node) {
-        if (!is_name_of_record(edit.to)) return fmt::format("{} is no name: small letters, digits and _", edit.to);
+        if (!is_name(edit.to)) return fmt::format("{} is no name: small letters, digits and _", edit.to);
     } else if (edit.to.empty()) {
         return why_still_needed(scene, {*scene.find(edit.node)});
     } else if (const Node& node = *scene.find(edit.node); auto why = why_invalid(at(node.type->fields, *node.type->find_field("id")), edit.to)) {
@@ -204,7 +194,7 @@ Edit done(Scene& scene, const Rename& edit) {
     }
     Node& node = *scene.find(edit.node);
     node.name = edit.to;
-    if (is_record(node)) {
+    if (node.is_record()) {
         follow_name(scene, Meaning::material, edit.from, edit.to);
         return back;
     }

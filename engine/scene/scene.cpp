@@ -70,7 +70,7 @@ std::vector<NodeId>& Scene::list_for(const NodeType& type, NodeId parent) {
 
 const std::vector<NodeId>& Scene::siblings(NodeId id) const {
     const Node& node = *find(id);
-    return node.type->meta.kind == NodeKind::record ? materials_ : children_of(node.parent);
+    return node.is_record() ? materials_ : children_of(node.parent);
 }
 
 int Scene::index_of(NodeId id) const {
@@ -138,7 +138,7 @@ Node* Scene::find(NodeId id) { return const_cast<Node*>(std::as_const(*this).fin
 const Node* Scene::find(std::string_view id_or_path) const {
     for (const NodeId id : all()) {
         const Node& node = *find(id);
-        if (node.type->meta.kind != NodeKind::record && !node.name.empty() && node.name == id_or_path) return &node;
+        if (!node.is_record() && !node.name.empty() && node.name == id_or_path) return &node;
     }
     for (const auto& [id, path] : paths())
         if (path == id_or_path) return find(id);
@@ -147,7 +147,7 @@ const Node* Scene::find(std::string_view id_or_path) const {
 
 std::string Scene::path(NodeId id) const {
     const Node& node = *find(id);
-    if (node.type->meta.kind == NodeKind::record)
+    if (node.is_record())
         return node.name.empty() ? std::string(node.type->key()) : "materials/" + node.name;
     if (!node.name.empty()) return node.name;
     const std::vector<NodeId>& siblings = node.parent ? find(node.parent)->children : roots_;
@@ -160,7 +160,7 @@ std::map<NodeId, std::string> Scene::paths() const {
     std::map<std::pair<NodeId, const NodeType*>, int> counts;  // of siblings so far, per parent
     for (const NodeId id : all()) {                            // parents come before their children
         const Node& node = *find(id);
-        const bool record = node.type->meta.kind == NodeKind::record;
+        const bool record = node.is_record();
         const int index = record ? 0 : counts[{node.parent, node.type}]++;
         if (record || !node.name.empty()) {
             out.emplace(id, path(id));

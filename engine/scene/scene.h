@@ -32,6 +32,7 @@ struct Node {
     Place where{};                  ///< the whole node: from its key to the end of its last value
     Place key{};                    ///< its type's word (or a material's name) in the text
 
+    bool is_record() const { return type->meta.kind == NodeKind::record; }
     const Value& value(std::string_view key_of_field) const;
     /// Does the field mean anything beside the values of the others (FieldMeta::only_with)?
     bool has_use_for(std::size_t field) const;

@@ -41,7 +41,7 @@ void check_ids(const Scene& scene, std::size_t most, Diagnostics& findings) {
     for (const InputBinding& input : scene.inputs) taken.emplace(input.name, Holder{{}, input.where});
     for (const NodeId id : scene.all()) {
         const Node& node = *scene.find(id);
-        if (node.type->meta.kind == NodeKind::record || node.name.empty()) continue;
+        if (node.is_record() || node.name.empty()) continue;
         const auto [first, is_new] = taken.emplace(node.name, Holder{id, node.key});
         if (is_new) continue;
         if (findings.size() > most) return;
@@ -100,6 +100,12 @@ void check_nodes(const Scene& scene, std::size_t most, Diagnostics& findings) {
 
 }  // namespace
 
+bool is_name(std::string_view text) {
+    const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+    return !text.empty() && letter(text[0]) &&
+           std::all_of(text.begin(), text.end(), [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
 std::optional<Diagnostic> wrong_child_count(const NodeType& type, int count, const Place& where) {
     const ChildCount allowed = type.meta.children;
     if (count >= allowed.min && count <= allowed.max) return {};
@@ -156,7 +162,7 @@ bool is_id_taken(const Scene& scene, std::string_view id, NodeId node) {
     const std::vector<NodeId> all = scene.all();
     return std::any_of(all.begin(), all.end(), [&](NodeId other) {
         const Node& holder = *scene.find(other);
-        return other != node && holder.type->meta.kind != NodeKind::record && holder.name == id;
+        return other != node && !holder.is_record() && holder.name == id;
     });
 }
 

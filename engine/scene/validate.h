@@ -11,6 +11,9 @@
 
 namespace pinfield {
 
+/// [a-z_][a-z0-9_]*: what ids, materials and inputs are called.
+bool is_name(std::string_view text);
+
 /// Too few or too many children for the type, said at `where`; or nothing.
 std::optional<Diagnostic> wrong_child_count(const NodeType& type, int count, const Place& where);
 

@@ -102,6 +102,19 @@ TEST_CASE("nodes of several parents go into an operator and come out of it, and 
     take_all_back(document, pen);
 }
 
+TEST_CASE("an edit that changes nothing leaves no step") {
+    const Folder folder;
+    Document document = opened(folder);
+    const NodeId pop = id_of(document, "pop");
+    const Edit same[] = {Rename{pop, "pop", "pop", true}, Move{pop, {}, document.scene().index_of(pop)}};
+    for (const Edit& edit : same) {
+        CHECK_FALSE(document.edit(std::span(&edit, 1), "nothing"));
+        CHECK(document.undo_steps() == 0);
+        CHECK(document.take_changes().empty());
+        CHECK(document.source().text() == pen);
+    }
+}
+
 TEST_CASE("every type of node can be added to a table, one step each") {
     const Folder folder;
     for (const NodeType& type : catalog()->types()) {

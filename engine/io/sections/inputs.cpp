@@ -6,6 +6,7 @@
 #include "engine/io/schema_parts.h"
 #include "engine/io/section.h"
 #include "engine/io/value_writer.h"
+#include "engine/scene/validate.h"
 
 namespace pinfield::sections {
 namespace {

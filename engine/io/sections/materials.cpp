@@ -5,6 +5,7 @@
 #include "engine/io/node_writer.h"
 #include "engine/io/schema_parts.h"
 #include "engine/io/section.h"
+#include "engine/scene/validate.h"
 
 namespace pinfield::sections {
 namespace {

@@ -68,7 +68,7 @@ Quantities quantities_of(const Scene& scene) {
     Quantities out{{"escaped", "drained"}, {"escaped", "drained"}};
     for (const auto& [id, path] : scene.paths()) {
         const Node& node = *scene.find(id);
-        if (node.type->meta.kind == NodeKind::record) continue;
+        if (node.is_record()) continue;
         out.measured.insert(path + ".hits");
         if (!node.name.empty()) out.named.push_back(path + ".hits");
     }
