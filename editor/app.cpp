@@ -128,7 +128,7 @@ void App::take_key(int code, bool down) {
         return;
     }
     const bool asks = state_.prompt || !state_.dialog_action.empty() || state_.show_help;
-    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0;
+    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node;
     if (asks) return;
     const bool plain = !control_ && !alt_;
     if (typing && (plain || !control_)) return;
@@ -145,11 +145,9 @@ void App::take_key(int code, bool down) {
 }
 
 bool App::cancel_drags() {
-    const bool any = ui_.drag.active() || ui_.scrub.active();
-    if (ui_.drag.active()) ui_.drag.cancel(state_.document);
-    if (ui_.scrub.active()) ui_.scrub.cancel(state_.document);
-    ui_.pressed_node = {};
-    return any;
+    const bool scrubbed = ui_.scrub.active();
+    if (scrubbed) ui_.scrub.cancel(state_.document);
+    return cancel_drag(state_, ui_) || scrubbed;
 }
 
 Canvas App::canvas() const {

@@ -4,8 +4,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <filesystem>
 #include <utility>
 
+#include "editor/edit_tools.h"
+#include "editor/pick.h"
+#include "engine/core/at.h"
 #include "engine/core/keys.h"
 #include "engine/scene/validate.h"
 
@@ -17,10 +21,9 @@ void say(AppState& state, std::string message, bool problem = false) {
     state.message_is_problem = problem;
 }
 
-std::string name_of(const Document& document) {
-    if (document.path().empty()) return "the new table";
-    return document.path().substr(document.path().find_last_of('/') + 1);
-}
+std::string name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+
+std::string name_of(const Document& document) { return document.path().empty() ? "the new table" : name_of(document.path()); }
 
 void replace_document(AppState& state, Document document) {
     Session session(document);
@@ -30,6 +33,7 @@ void replace_document(AppState& state, Document document) {
     state.document = std::move(document);
     state.session = std::move(session);
     state.selection = {};
+    state.entered = {};
     state.disk = DiskState::same;
     run(state, "view.all");
 }
@@ -90,6 +94,7 @@ void answer_discard(AppState& state) { go_on(state, *std::exchange(state.prompt,
 
 void close_dialog(AppState& state) {
     state.dialog_action.clear();
+    state.replaces.clear();
     state.after_dialog.reset();
 }
 
@@ -99,6 +104,10 @@ void accept_path(AppState& state) {
         if (open_now(state, state.dialog_path)) close_dialog(state);
         return;
     }
+    std::error_code unknown;
+    const bool another = state.dialog_path != state.document.path() && std::filesystem::exists(state.dialog_path, unknown);
+    if (another && std::exchange(state.replaces, state.dialog_path) != state.dialog_path)
+        return say(state, fmt::format("There is a {} already. Save again to replace it, or give another name.", name_of(state.dialog_path)), true);
     const Result<void> saved = state.document.save_as(state.dialog_path);
     if (!saved) return say(state, saved.error().message, true);
     say(state, fmt::format("Saved {}", name_of(state.document)));
@@ -127,6 +136,7 @@ void redo(AppState& state) {
 void deselect(AppState& state) {
     if (state.document.previewing()) state.document.cancel_preview();
     else if (state.show_help) state.show_help = false;
+    else if (state.entered) select(state, state.entered);  // out of it, one level
     else state.selection = {};
 }
 
@@ -181,6 +191,57 @@ void shift_selection(AppState& state, int by) {
     take(state, move_nodes(state.document, chosen, {scene.find(chosen[0])->parent, index + (by > 0 ? 1 : 0)}, true));
 }
 
+/// By the grid of the table's frame. Nudges that follow each other are one step.
+void nudge(AppState& state, const Vec2& steps) {
+    const std::vector<NodeId> chosen = outermost(state.document.scene(), state.selection.nodes());
+    const bool goes_on = state.nudged_step == state.document.undo_steps() && state.nudged == chosen && !state.document.can_redo();
+    const std::size_t before = state.document.undo_steps();
+    if (const auto why = move_by(state.document, chosen, default_grid * steps, default_grid)) return say(state, *why, true);
+    const std::string label = move_label(state.document.scene(), chosen);
+    if (goes_on && state.document.undo_steps() > before) state.document.join_steps(label);
+    state.nudged_step = state.document.undo_steps();
+    state.nudged = chosen;
+    say(state, label);
+}
+
+void select_parent(AppState& state) {
+    const Node* node = state.document.scene().find(state.selection.primary());
+    if (node && node->parent) select(state, node->parent);
+}
+
+void select_child(AppState& state) {
+    const Node* node = state.document.scene().find(state.selection.primary());
+    if (node && !node->children.empty()) select(state, node->children.front());
+}
+
+void select_sibling(AppState& state, int by) {
+    const Scene& scene = state.document.scene();
+    const Node* node = scene.find(state.selection.primary());
+    if (!node || node->is_record()) return;
+    const auto& siblings = scene.siblings(node->id);
+    const int count = static_cast<int>(siblings.size());
+    select(state, at(siblings, (scene.index_of(node->id) + by + count) % count));
+}
+
+void select_where(AppState& state, const std::function<bool(const Node&)>& wanted) {
+    std::vector<NodeId> nodes;
+    for (const NodeId id : state.document.scene().all())
+        if (const Node& node = *state.document.scene().find(id); !node.is_record() && wanted(node)) nodes.push_back(id);
+    state.selection = Selection(std::move(nodes));
+}
+
+void select_same_type(AppState& state) {
+    const NodeType* type = state.document.scene().find(state.selection.primary())->type;
+    select_where(state, [&](const Node& node) { return node.type == type; });
+}
+
+void select_same_material(AppState& state) {
+    const Node* chosen = state.document.scene().find(state.selection.primary());
+    if (chosen->is_record()) return say(state, "Select a node of the table", true);
+    const Value material = chosen->value("material");
+    select_where(state, [&](const Node& node) { return identical(node.value("material"), material); });
+}
+
 bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
 
 bool can_paste(const AppState& s) { return !s.document.previewing() && (!s.clipboard.empty() || s.ask_clipboard); }
@@ -207,15 +268,30 @@ constexpr Handler handlers[] = {
     {"edit.deselect", always, deselect},
     {"edit.cut", has_selection, cut},
     {"edit.copy", has_selection, [](AppState& s) { copy(s); }},
-    {"edit.paste", can_paste, [](AppState& s) { paste(s, s.view.centre); }},
+    {"edit.paste", can_paste, [](AppState& s) { paste(s, s.pointer.value_or(s.view.centre)); }},
     {"edit.paste_in_place", can_paste, [](AppState& s) { paste(s, {}); }},
     {"edit.duplicate", has_selection, duplicate},
     {"edit.delete", has_selection, delete_selection},
     {"edit.select_all", always, select_all},
     {"edit.group", has_selection, group},
     {"edit.unwrap", has_selection, unwrap},
+    {"edit.rename", has_selection, [](AppState& s) { s.renaming = s.selection.primary(); }},
     {"edit.move_up", has_selection, [](AppState& s) { shift_selection(s, -1); }},
     {"edit.move_down", has_selection, [](AppState& s) { shift_selection(s, 1); }},
+    {"edit.nudge_left", has_selection, [](AppState& s) { nudge(s, {-1, 0}); }},
+    {"edit.nudge_right", has_selection, [](AppState& s) { nudge(s, {1, 0}); }},
+    {"edit.nudge_up", has_selection, [](AppState& s) { nudge(s, {0, 1}); }},
+    {"edit.nudge_down", has_selection, [](AppState& s) { nudge(s, {0, -1}); }},
+    {"edit.nudge_far_left", has_selection, [](AppState& s) { nudge(s, {-10, 0}); }},
+    {"edit.nudge_far_right", has_selection, [](AppState& s) { nudge(s, {10, 0}); }},
+    {"edit.nudge_far_up", has_selection, [](AppState& s) { nudge(s, {0, 10}); }},
+    {"edit.nudge_far_down", has_selection, [](AppState& s) { nudge(s, {0, -10}); }},
+    {"select.parent", has_selection, select_parent},
+    {"select.child", has_selection, select_child},
+    {"select.previous", has_selection, [](AppState& s) { select_sibling(s, -1); }},
+    {"select.next", has_selection, [](AppState& s) { select_sibling(s, 1); }},
+    {"select.same_type", has_selection, select_same_type},
+    {"select.same_material", has_selection, select_same_material},
     {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
     {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},
     {"play.step", always, [](AppState& s) { s.session.single_step(); }},
@@ -282,8 +358,14 @@ bool edit(AppState& state, const SetField& change, const std::string& label) {
 bool take(AppState& state, const Outcome& outcome) {
     if (outcome.refusal) return say(state, *outcome.refusal, true), false;
     state.selection = Selection(outcome.nodes);
+    state.entered = compound_around(state.document.scene(), state.selection.primary());
     say(state, outcome.done);
     return true;
+}
+
+void select(AppState& state, NodeId node) {
+    state.selection.set(node);
+    state.entered = compound_around(state.document.scene(), node);
 }
 
 void add_node(AppState& state, const NodeType& type) {
@@ -302,6 +384,7 @@ void wrap_selection(AppState& state, const NodeType& type) {
 void advance(AppState& state, int ticks) {
     state.session.follow(state.document);
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
+    if (!state.document.scene().find(state.entered)) state.entered = {};
     state.session.advance(ticks);
 }
 

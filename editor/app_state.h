@@ -30,6 +30,10 @@ struct AppState {
     Session session;
     View view;
     Selection selection;
+    NodeId entered;             ///< the operator or part whose children are clicked and dragged now; none: the table's own nodes
+    std::optional<Vec2> pointer{};  ///< where the mouse is over the table, metres
+    std::vector<NodeId> nudged{};  ///< by the arrow keys last, and the step they left: further ones join it
+    std::size_t nudged_step = 0;
     std::string clipboard;      ///< what was cut or copied: YAML
     std::function<void(const std::string&)> give_clipboard{};  ///< to other programs, where there is a window
     std::function<std::string()> ask_clipboard{};              ///< of other programs, likewise
@@ -38,6 +42,8 @@ struct AppState {
     bool message_is_problem = false;
     std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for, until dialog.accept or
     std::string dialog_path;    ///< dialog.cancel; what the user typed so far
+    std::string replaces{};     ///< another file that was asked about: naming it once more replaces it
+    NodeId renaming{};          ///< its new id is to be typed in the tree
     std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
     bool quit = false;
@@ -52,6 +58,8 @@ void run(AppState& state, std::string_view action);
 void open_file(AppState& state, const std::string& path);
 /// Applies one edit as one undo step; a refusal becomes the message. True when it was applied.
 bool edit(AppState& state, const SetField& change, const std::string& label);
+/// Selects one node alone; a child of an operator or part is entered with it, so that its siblings can be clicked and dragged.
+void select(AppState& state, NodeId node);
 /// Puts a new node of this type beside the selection, in the middle of the view, and selects it.
 void add_node(AppState& state, const NodeType& type);
 /// Puts the selected nodes into a new node of this type.
@@ -64,13 +72,5 @@ void advance(AppState& state, int ticks);
 void look_at_disk(AppState& state);
 /// A key goes to the inputs that the table binds to it; false when it binds none.
 bool press_key(AppState& state, std::string_view key, bool down);
-
-/// Scene node whose solid is at (or within `slack` metres of) a world point, movers included; the smallest one when several
-/// overlap; none in free space. Sensors answer within their region, and every part with no solid within 12 mm of its place.
-/// Locked nodes do not count, nor does the domain.
-NodeId pick(const AppState& state, const Vec2& world, double slack);
-
-/// World box around a node and all below it as it runs now; at least its place, 12 mm about. May be infinite.
-Box2 bounds_of(const AppState& state, NodeId node);
 
 }  // namespace pinfield::editor

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/core/numbers.h"
@@ -84,34 +86,54 @@ SetField moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2&
     return {id, at_field(node), at, true};
 }
 
-bool NodeDrag::begin(const Document& document, NodeId id, const Vec2& world) {
-    const Node* node = document.scene().find(id);
-    if (active() || !node || at_field(*node) < 0 || locked(document.scene(), *node)) return false;
-    node_ = id;
-    at_before_ = node->get<Vec2>("at");
+bool NodeDrag::begin(const Document& document, std::span<const Held> nodes, const Vec2& world) {
+    if (active()) return false;
+    for (Held held : nodes) {
+        const Node* node = document.scene().find(held.node);
+        if (!node || at_field(*node) < 0 || locked(document.scene(), *node)) continue;
+        held.at_before = node->get<Vec2>("at");
+        held_.push_back(held);
+    }
     world_before_ = world;
-    return true;
+    return active();
 }
 
+bool NodeDrag::begin(const Document& document, NodeId node, const Vec2& world) { return begin(document, std::array{Held{node}}, world); }
+
 std::optional<std::string> NodeDrag::update(Document& document, const Vec2& world, double grid, bool axis_lock) {
-    if (!active() || !document.scene().find(node_)) return {};
     Vec2 delta = world - world_before_;
     if (axis_lock) delta[std::fabs(delta.x()) < std::fabs(delta.y()) ? 0 : 1] = 0;
-    const SetField edit = moved(document.scene(), node_, at_before_, delta, grid);
-    if (!document.previewing() && identical(edit.value, Value(at_before_))) return {};  // a click is no drag
-    return document.preview(edit);
+    for (const Held& held : held_) {
+        if (!document.scene().find(held.node)) continue;
+        const SetField edit = moved(document.scene(), held.node, held.at_before, held.own_from_hand * delta, grid);
+        if (!document.previewing() && identical(edit.value, Value(held.at_before))) continue;  // a click is no drag
+        if (auto why = document.preview(edit)) return why;
+    }
+    return {};
 }
 
 std::optional<std::string> NodeDrag::end(Document& document) {
-    if (!active()) return {};
-    const NodeId id = node_;
-    node_ = {};
-    return document.scene().find(id) ? document.commit(move_label(document.scene(), id)) : std::nullopt;
+    std::vector<NodeId> nodes;
+    for (const Held& held : std::exchange(held_, {}))
+        if (document.scene().find(held.node)) nodes.push_back(held.node);
+    return nodes.empty() ? std::nullopt : document.commit(move_label(document.scene(), nodes));
 }
 
 void NodeDrag::cancel(Document& document) {
     if (active()) document.cancel_preview();
-    node_ = {};
+    held_.clear();
+}
+
+std::optional<std::string> move_by(Document& document, std::span<const NodeId> nodes, const Vec2& world_delta, double grid) {
+    std::vector<Held> held;
+    for (const NodeId node : nodes) held.push_back({node});
+    NodeDrag drag;
+    if (!drag.begin(document, held, {0, 0})) return "nothing that can be moved is selected";
+    if (auto why = drag.update(document, world_delta, grid)) {
+        drag.cancel(document);
+        return why;
+    }
+    return drag.end(document);
 }
 
 int component_count(const Value& value) {
@@ -236,7 +258,9 @@ std::optional<std::string> set_from_text(Document& document, NodeId id, int fiel
     return document.edit({id, field, *value, true}, change_label(document.scene(), id, field));
 }
 
-std::string move_label(const Scene& scene, NodeId node) { return fmt::format("Move {}", scene.path(node)); }
+std::string move_label(const Scene& scene, std::span<const NodeId> nodes) {
+    return nodes.size() == 1 ? fmt::format("Move {}", scene.path(nodes.front())) : fmt::format("Move {} nodes", nodes.size());
+}
 
 std::string change_label(const Scene& scene, NodeId node, int field) {
     const std::string_view key = at(scene.find(node)->type->fields, field).key;

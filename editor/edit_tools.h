@@ -1,9 +1,12 @@
 // What a hand does to a node, as Edits: dragging it, scrubbing a number, typing a value. Each previews while it goes on and
 // commits once at its end. No window, no ImGui.
 #pragma once
+#include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "editor/document.h"
 
@@ -16,12 +19,19 @@ inline constexpr double default_grid = 0.001;
 /// A coordinate that does not move keeps its bits. `at_before`: where the drag began.
 SetField moved(const Scene& scene, NodeId node, const Vec2& at_before, const Vec2& world_delta, double grid);
 
-/// A node being dragged: begin, update any number of times, end or cancel.
+/// A node in the hand. `own_from_hand`: its motion in the world where the hand moves by a vector (a copy under a mirror goes the other way).
+struct Held {
+    NodeId node;
+    Eigen::Matrix2d own_from_hand = Eigen::Matrix2d::Identity();
+    Vec2 at_before{0, 0};  ///< set by NodeDrag
+};
+
+/// Nodes being dragged: begin, update any number of times, end or cancel.
 class NodeDrag {
 public:
-    bool active() const { return static_cast<bool>(node_); }
-    NodeId node() const { return node_; }
-    /// False, and nothing begins, for what cannot be moved: records, locked nodes.
+    bool active() const { return !held_.empty(); }
+    /// Leaves out what cannot be moved: records, locked nodes. False, and nothing begins, when that is all.
+    bool begin(const Document& document, std::span<const Held> nodes, const Vec2& world);
     bool begin(const Document& document, NodeId node, const Vec2& world);
     /// Why the node did not follow, or nothing. `axis_lock` keeps the smaller of both components still.
     std::optional<std::string> update(Document& document, const Vec2& world, double grid, bool axis_lock = false);
@@ -30,8 +40,8 @@ public:
     void cancel(Document& document);
 
 private:
-    NodeId node_;
-    Vec2 at_before_{0, 0}, world_before_{0, 0};
+    std::vector<Held> held_;
+    Vec2 world_before_{0, 0};
 };
 
 /// How many numbers a value is made of (2 of a vec2, two per point of a list), and each of them.
@@ -68,8 +78,11 @@ std::string text_of(const Document& document, NodeId node, int field);
 /// Sets a field from text as one undo step; why not, or nothing.
 std::optional<std::string> set_from_text(Document& document, NodeId node, int field, std::string_view text);
 
-/// "Move pop", "Change radius of pop": what the history calls an edit.
-std::string move_label(const Scene& scene, NodeId node);
+/// Moves nodes by a world vector as one undo step; why not, or nothing. Nodes that lie in others of them go with those.
+std::optional<std::string> move_by(Document& document, std::span<const NodeId> nodes, const Vec2& world_delta, double grid);
+
+/// "Move pop", "Move 3 nodes", "Change radius of pop": what the history calls an edit.
+std::string move_label(const Scene& scene, std::span<const NodeId> nodes);
 std::string change_label(const Scene& scene, NodeId node, int field);
 
 }  // namespace pinfield::editor

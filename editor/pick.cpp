@@ -1,7 +1,8 @@
-// Finding scene nodes on the running table: what is under a point, and how far a node reaches.
+#include "editor/pick.h"
+
+#include <algorithm>
 #include <set>
 
-#include "editor/app_state.h"
 #include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/evaluate.h"
@@ -12,18 +13,6 @@ namespace pinfield::editor {
 namespace {
 
 constexpr double place_radius = 0.012;  ///< metres about a place that can be clicked
-
-/// The best node so far: inside beats near; among those inside the smallest wins, else the nearest.
-struct Candidate {
-    NodeId node;
-    double distance = infinity, area = infinity;
-
-    void offer(NodeId other, double other_distance, double other_area) {
-        const bool was_inside = node && distance <= 0, is_inside = other_distance <= 0;
-        const bool better = was_inside != is_inside ? is_inside : is_inside ? other_area < area : other_distance < distance;
-        if (better || !node) *this = {other, other_distance, other_area};
-    }
-};
 
 double area_of(const Box2& box) {
     if (!box.is_finite()) return infinity;
@@ -39,26 +28,105 @@ bool is_free(const Scene& scene, NodeId id) {
     return true;
 }
 
-void offer_solids(const AppState& state, const Field& field, const Vec2& p, double slack, Candidate& best) {
+/// A hit and what decides between several.
+struct Candidate {
+    Hit hit;
+    double area = infinity;  ///< of its box, square metres
+
+    bool is_inside() const { return hit.distance <= 0; }
+    bool operator<(const Candidate& other) const {
+        if (is_inside() != other.is_inside()) return is_inside();
+        return is_inside() ? area < other.area : hit.distance < other.hit.distance;
+    }
+};
+
+/// Each node once, the one meant most first.
+std::vector<Hit> sorted(std::vector<Candidate> found) {
+    std::stable_sort(found.begin(), found.end());
+    std::vector<Hit> out;
+    for (const Candidate& candidate : found)
+        if (std::none_of(out.begin(), out.end(), [&](const Hit& hit) { return hit.node == candidate.hit.node; })) out.push_back(candidate.hit);
+    return out;
+}
+
+/// The point as a field's frame has it, for every field of the program.
+template <class Visit>
+void for_each_field(const AppState& state, const Vec2& world, Visit visit) {
+    const Program& program = state.session.program();
+    visit(program.fixed, world);
+    for (std::size_t i = 0; i < program.movers.size(); ++i)
+        visit(program.movers[i].field, state.session.world_from_mover(static_cast<int>(i)).inverse() * world);
+    for (const Sensor& sensor : program.sensors) visit(sensor.field, world);
+}
+
+void offer_solids(const AppState& state, const Field& field, const Vec2& p, double slack, std::vector<Candidate>& found) {
     for (std::size_t i = 0; i < field.solids.size(); ++i) {
         const Solid& solid = field.solids[i];
-        const std::vector<Part>& parts = state.session.program().parts;
-        if (solid.part >= 0 && at(parts, solid.part).is<parts::Domain>()) continue;
-        if (solid.bounds.distance(p) > slack || !is_free(state.document.scene(), solid.origin)) continue;
+        if (solid.is_domain || solid.bounds.distance(p) > slack || !is_free(state.document.scene(), solid.origin)) continue;
         const double distance = nearest_of_solid(field, static_cast<int>(i), p).distance;
-        if (distance <= slack) best.offer(solid.origin, distance, area_of(solid.bounds));
+        if (distance <= slack) found.push_back({{solid.origin, distance}, area_of(solid.bounds)});
     }
 }
 
 /// Parts that have nothing to hit are found by their place.
-void offer_places(const AppState& state, const Vec2& p, Candidate& best) {
+void offer_places(const AppState& state, const Vec2& p, std::vector<Candidate>& found) {
     for (const Part& part : state.session.program().parts) {
         if (part.sensor < 0 && !part.is<parts::Spawn>()) continue;
         const double distance = length(p - part.world_from_part.offset) - place_radius;
         if (distance <= 0 && is_free(state.document.scene(), part.origin))
-            best.offer(part.origin, distance, pi * place_radius * place_radius);
+            found.push_back({{part.origin, distance}, pi * place_radius * place_radius});
     }
 }
+
+/// Goes down a solid's tree to the children of one node, taking the point along through copies and warps.
+class Descent {
+public:
+    Descent(const AppState& state, const Field& field, NodeId parent, double slack, std::vector<Candidate>& found)
+        : scene_(state.document.scene()), field_(field), parent_(parent), slack_(slack), found_(found) {}
+
+    /// `seen_from_hand`: how the point `p` moves where the hand moves.
+    void visit(int index, const Vec2& p, const Eigen::Matrix2d& seen_from_hand) {
+        const Op& op = at(field_.ops, index);
+        const Node* node = scene_.find(op.origin);
+        if (node && node->parent == parent_) return offer(index, p, seen_from_hand);
+        if (op.kernels->form == sdf::Form::warp) {
+            const sdf::Warped warped = op.kernels->warped(field_.params.data() + op.params, op.local_from_field * p);
+            Eigen::Matrix2d local;
+            local << warped.from_x, warped.from_y;
+            const Similarity field_from_local = op.local_from_field.inverse();
+            return visit_children(op, field_from_local * warped.point, linear(field_from_local) * local * linear(op.local_from_field) * seen_from_hand);
+        }
+        if (op.kernels->form != sdf::Form::images) return visit_children(op, p, seen_from_hand);
+        for (int i = 0; i < op.image_count; ++i) {
+            const Similarity child_from_image = at(field_.images, op.first_image + i).inverse();
+            visit_children(op, child_from_image * p, linear(child_from_image) * seen_from_hand);
+        }
+    }
+
+private:
+    static Eigen::Matrix2d linear(const Similarity& map) {
+        Eigen::Matrix2d out;
+        out << map.scale * map.direction({1, 0}), map.scale * map.direction({0, 1});
+        return out;
+    }
+
+    void visit_children(const Op& op, const Vec2& p, const Eigen::Matrix2d& seen_from_hand) {
+        for (int i = 0; i < op.child_count; ++i) visit(at(field_.links, op.first_link + i), p, seen_from_hand);
+    }
+
+    void offer(int index, const Vec2& p, const Eigen::Matrix2d& seen_from_hand) {
+        const Op& op = at(field_.ops, index);
+        if (op.bounds.distance(p) > slack_ || !is_free(scene_, op.origin)) return;
+        const double distance = evaluate_tree(field_, index, p).value;
+        if (distance <= slack_) found_.push_back({{op.origin, distance, seen_from_hand}, area_of(op.bounds)});
+    }
+
+    const Scene& scene_;
+    const Field& field_;
+    NodeId parent_;
+    double slack_;
+    std::vector<Candidate>& found_;
+};
 
 std::set<NodeId> subtree(const Scene& scene, NodeId root) {
     std::set<NodeId> out;
@@ -83,15 +151,42 @@ Box2 bounds_in(const Field& field, const std::set<NodeId>& nodes) {
 
 }  // namespace
 
+std::vector<Hit> hits_at(const AppState& state, const Vec2& world, double slack) {
+    std::vector<Candidate> found;
+    for_each_field(state, world, [&](const Field& field, const Vec2& p) { offer_solids(state, field, p, slack, found); });
+    offer_places(state, world, found);
+    return sorted(std::move(found));
+}
+
 NodeId pick(const AppState& state, const Vec2& world, double slack) {
-    const Program& program = state.session.program();
-    Candidate best;
-    offer_solids(state, program.fixed, world, slack, best);
-    for (std::size_t i = 0; i < program.movers.size(); ++i)
-        offer_solids(state, program.movers[i].field, state.session.world_from_mover(static_cast<int>(i)).inverse() * world, slack, best);
-    for (const Sensor& sensor : program.sensors) offer_solids(state, sensor.field, world, slack, best);
-    offer_places(state, world, best);
-    return best.node;
+    const std::vector<Hit> hits = hits_at(state, world, slack);
+    return hits.empty() ? NodeId{} : hits.front().node;
+}
+
+std::vector<Hit> hits_within(const AppState& state, NodeId parent, const Vec2& world, double slack) {
+    const Node* node = state.document.scene().find(parent);
+    if (!node || node->children.empty()) return {};
+    bool is_domain = false;
+    for (const Solid& solid : state.session.program().fixed.solids) is_domain = is_domain || (solid.is_domain && solid.origin == parent);
+    const std::set<NodeId> inside = subtree(state.document.scene(), parent);
+    std::vector<Candidate> found;
+    for_each_field(state, world, [&](const Field& field, const Vec2& p) {
+        Descent descent(state, field, parent, is_domain ? infinity : slack, found);
+        for (const Solid& solid : field.solids) {
+            const std::set<NodeId> below = subtree(state.document.scene(), solid.origin);
+            if (inside.count(solid.origin) || below.count(parent)) descent.visit(solid.root, p, Eigen::Matrix2d::Identity());
+        }
+    });
+    if (is_domain)  // balls are inside of all pieces at once: what is meant is the outline
+        for (Candidate& candidate : found) candidate.hit.distance = std::fabs(candidate.hit.distance);
+    return sorted(std::move(found));
+}
+
+Hit grip_at(const AppState& state, NodeId entered, const Vec2& world, double slack) {
+    if (entered)
+        if (const std::vector<Hit> within = hits_within(state, entered, world, slack); !within.empty()) return within.front();
+    const std::vector<Hit> hits = hits_at(state, world, slack);
+    return hits.empty() ? Hit{} : hits.front();
 }
 
 Box2 bounds_of(const AppState& state, NodeId node) {
@@ -106,6 +201,30 @@ Box2 bounds_of(const AppState& state, NodeId node) {
     if (found.is_record()) return {{0, 0}, program.size};
     const Vec2 place = world_from_local(state.document.scene(), node).offset;
     return Box2{place, place}.grown(place_radius);
+}
+
+std::vector<NodeId> nodes_in(const AppState& state, const Box2& world, bool touching) {
+    const Program& program = state.session.program();
+    std::set<NodeId> found;
+    const auto offer = [&](NodeId node) {
+        if (!is_free(state.document.scene(), node)) return;
+        const Box2 box = bounds_of(state, node);
+        if (touching ? box.overlaps(world) : !box.is_empty() && world.contains(box.lo) && world.contains(box.hi)) found.insert(node);
+    };
+    for (const Solid& solid : program.fixed.solids)
+        if (!solid.is_domain) offer(solid.origin);
+    for (const Part& part : program.parts)
+        if (!part.is<parts::Domain>()) offer(part.origin);
+    std::vector<NodeId> out;
+    for (const NodeId node : state.document.scene().all())
+        if (found.count(node)) out.push_back(node);
+    return out;
+}
+
+NodeId compound_around(const Scene& scene, NodeId node) {
+    const Node* found = scene.find(node);
+    const Node* parent = found ? scene.find(found->parent) : nullptr;
+    return parent && parent->type->key() != "group" ? parent->id : NodeId{};
 }
 
 }  // namespace pinfield::editor

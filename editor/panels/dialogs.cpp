@@ -136,7 +136,7 @@ void path_dialog(AppState& state, Ui& ui) {
         align_right(2 * theme.px(92) + ImGui::GetStyle().ItemSpacing.x);
         const bool cancel = dialog_button(theme, "Cancel", false) || escape_pressed();
         ImGui::SameLine();
-        accept = dialog_button(theme, opens ? "Open" : "Save", true) || accept;
+        accept = dialog_button(theme, opens ? "Open" : state.replaces.empty() ? "Save" : "Replace", true) || accept;
         if (cancel) run(state, "dialog.cancel");
         else if (accept && !dialog.name.empty()) {
             state.dialog_path = (fs::path(dialog.folder) / dialog.name).string();

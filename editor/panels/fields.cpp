@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/typed_number.h"
 #include "editor/widgets/widgets.h"
 #include "engine/core/at.h"
 #include "engine/core/color.h"
@@ -33,23 +34,22 @@ void begin_typing(const Row& row, int component) {
     Typing& typing = row.ui.typing;
     typing = {row.node.id, row.index, component, {}, true};
     if (component < 0) typing.text = text_of(row.state.document, row.node.id, row.index);
-    else {
-        const Shown now = shown(pinfield::editor::component(row.value(), component), row.field().meta.unit);
-        // Only lengths are shown in another unit than a bare number has.
-        typing.text = now.unit == "mm" ? now.number + "mm" : now.number;
-    }
+    else typing.text = shown(pinfield::editor::component(row.value(), component), row.field().meta.unit).number;
 }
 
 void finish_typing(const Row& row) {
     Typing& typing = row.ui.typing;
     Document& document = row.state.document;
-    if (typing.component < 0) {
+    if (row.field().meta.meaning == Meaning::id) {
+        take(row.state, rename_node(document, row.node.id, typing.text));
+    } else if (typing.component < 0) {
         tell(row.state, set_from_text(document, row.node.id, row.index, typing.text));
     } else {
-        FieldType number = row.field();
-        number.kind = FieldKind::number;
-        const Result<Value> value = value_of(number, typing.text);
-        if (value) row.set(with_component(row.value(), typing.component, std::get<double>(*value)));
+        // What is typed means the unit that is shown. Only lengths are shown in another than a bare number has.
+        const Unit unit = row.field().meta.unit;
+        const bool in_mm = shown(pinfield::editor::component(row.value(), typing.component), unit).unit == "mm";
+        const Result<double> value = typed_number(typing.text, unit, in_mm ? "mm" : "");
+        if (value) row.set(with_component(row.value(), typing.component, *value));
         else tell(row.state, value.error().message);
     }
     typing = {};

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cctype>
+#include <optional>
+#include <utility>
 
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
@@ -24,6 +26,10 @@ public:
         for (const Node* node = scene_.find(state.selection.primary()); node && node->parent; node = scene_.find(node->parent))
             above_selection_.push_back(node->parent);
         reveal_ = !state.selection.empty() && state.selection.primary() != ui.revealed;
+        if (const NodeId node = std::exchange(state.renaming, NodeId{})) {
+            ui.renaming = {node, scene_.find(node)->name, true};
+            reveal_ = true;
+        }
     }
 
     void draw() {
@@ -41,10 +47,12 @@ public:
             }
         }
         if (reveal_) ui_.revealed = state_.selection.primary();
+        if (renamed_.first) take(state_, rename_node(state_.document, renamed_.first, renamed_.second));
+        if (dropped_) take(state_, move_nodes(state_.document, dropped_nodes_, *dropped_, !ImGui::GetIO().KeyCtrl));
         if (!clicked_) return;
         const bool more = ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
         if (more) state_.selection.toggle(clicked_);
-        else state_.selection.set(clicked_);
+        else select(state_, clicked_);
         ui_.revealed = state_.selection.primary();
     }
 
@@ -101,6 +109,11 @@ private:
         const ImVec2 place = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x, height = theme.px(25);
         const float indent = theme.px(4 + 15 * static_cast<float>(depth)), arrow_width = theme.px(16);
+        if (ui_.renaming.node == node.id) {
+            rename_field(node, place, indent + arrow_width, width, height);
+            ImGui::PopID();
+            return *open;
+        }
         const bool pressed = ImGui::InvisibleButton("row", {width, height});
         const bool hot = ImGui::IsItemHovered(), selected = state_.selection.contains(node.id);
         if (pressed) {
@@ -109,10 +122,65 @@ private:
         }
         if (hot && parent && ImGui::IsMouseDoubleClicked(0) && ImGui::GetIO().MousePos.x > place.x + indent + arrow_width) *open = !*open;
         if (hot) ui_.hovered = node.id;
+        if (!node.is_record()) drag_and_drop(node, place, {width, height}, indent + arrow_width);
+        if (ImGui::BeginPopupContextItem("node menu")) {
+            if (ImGui::IsWindowAppearing() && !selected) select(state_, node.id);
+            node_menu(state_, ui_);
+            ImGui::EndPopup();
+        }
         if (reveal_ && selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
         paint(node, place, {width, height}, indent, arrow_width, selected, hot, parent, *open);
         ImGui::PopID();
         return *open;
+    }
+
+    /// A row is dragged to before, behind or into another; a line or a frame shows where.
+    void drag_and_drop(const Node& node, ImVec2 place, ImVec2 size, float indent) {
+        constexpr const char* kind = "scene nodes";
+        if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoDisableHover)) {
+            if (!state_.selection.contains(node.id)) select(state_, node.id);
+            ImGui::SetDragDropPayload(kind, nullptr, 0);
+            const std::size_t count = state_.selection.nodes().size();
+            ImGui::TextUnformatted(count == 1 ? title_of(node).c_str() : (std::to_string(count) + " nodes").c_str());
+            ImGui::EndDragDropSource();
+        }
+        if (!ImGui::BeginDragDropTarget()) return;
+        const ImGuiPayload* payload =
+            ImGui::AcceptDragDropPayload(kind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+        if (payload) {
+            const float along = (ImGui::GetIO().MousePos.y - place.y) / size.y;
+            const bool into = node.type->meta.children.max > 0 && along > 0.25f && along < 0.75f, behind = along >= 0.5f;
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            const ImVec2 end{place.x + size.x, place.y + size.y};
+            const float y = behind ? end.y : place.y;
+            if (into) list.AddRect(place, end, ink(palette::accent), ui_.theme.px(4), 0, ui_.theme.px(1.5f));
+            else list.AddLine({place.x + indent, y}, {end.x, y}, ink(palette::accent), ui_.theme.px(2));
+            if (payload->IsDelivery()) {
+                dropped_nodes_ = state_.selection.nodes();
+                dropped_ = into ? Spot{node.id, static_cast<int>(node.children.size())}
+                                : Spot{node.parent, scene_.index_of(node.id) + (behind ? 1 : 0)};
+            }
+        }
+        ImGui::EndDragDropTarget();
+    }
+
+    /// The node's id while it is typed anew: Enter takes it, Esc leaves it.
+    void rename_field(const Node& node, ImVec2 place, float indent, float width, float height) {
+        Renaming& renaming = ui_.renaming;
+        ImGui::SetCursorScreenPos({place.x + indent, place.y});
+        ImGui::SetNextItemWidth(width - indent);
+        if (renaming.begins) ImGui::SetKeyboardFocusHere();
+        char buffer[128] = {};
+        renaming.text.copy(buffer, sizeof buffer - 1);
+        const bool entered =
+            ImGui::InputText("##rename", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+        renaming.text = buffer;
+        const bool left = !renaming.begins && ImGui::IsItemDeactivated();
+        const bool escaped = left && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+        renaming.begins = false;
+        if (entered || (left && !escaped)) renamed_ = {node.id, renaming.text};
+        if (entered || left) renaming = {};
+        ImGui::SetCursorScreenPos({place.x, place.y + height});
     }
 
     void paint(const Node& node, ImVec2 place, ImVec2 size, float indent, float arrow_width, bool selected, bool hot,
@@ -175,6 +243,9 @@ private:
     const Scene& scene_;
     std::vector<NodeId> above_selection_;
     NodeId clicked_;
+    std::pair<NodeId, std::string> renamed_;
+    std::vector<NodeId> dropped_nodes_;
+    std::optional<Spot> dropped_;
     bool reveal_ = false;
 };
 

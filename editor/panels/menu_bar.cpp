@@ -15,50 +15,6 @@ std::vector<std::string_view> menus_in_order() {
     return menus;
 }
 
-void menu_item(AppState& state, const Theme& theme, const Action& action) {
-    std::string label(action.label);
-    const std::string* step = action.name == "edit.undo"   ? state.document.undo_label()
-                              : action.name == "edit.redo" ? state.document.redo_label()
-                                                           : nullptr;
-    if (step) label += ": " + *step;
-    const std::string id = label + "##" + std::string(action.name), shortcut(action.shortcut);
-    if (ImGui::MenuItem(id.c_str(), shortcut.c_str(), false, enabled(state, action.name))) run(state, action.name);
-    tooltip(theme, action.doc);
-}
-
-/// Every node type of these kinds, by name.
-std::vector<const NodeType*> types_of(const Catalog& catalog, NodeKind kind) {
-    std::vector<const NodeType*> out;
-    for (const NodeType& type : catalog.types())
-        if (type.meta.kind == kind) out.push_back(&type);
-    std::sort(out.begin(), out.end(), [](const NodeType* a, const NodeType* b) { return a->key() < b->key(); });
-    return out;
-}
-
-/// A row of the menu for a node type, with its documentation; whether it was chosen.
-bool type_item(const Theme& theme, const NodeType& type) {
-    const bool chosen = ImGui::MenuItem(std::string(type.key()).c_str());
-    tooltip(theme, type.meta.doc);
-    return chosen;
-}
-
-/// What can be added to the table, and what the selection can be put into.
-void add_menu(AppState& state, const Theme& theme) {
-    const std::pair<const char*, NodeKind> kinds[] = {
-        {"Part", NodeKind::part}, {"Shape", NodeKind::shape}, {"Operator", NodeKind::operation}};
-    for (const auto& [title, kind] : kinds) {
-        if (!ImGui::BeginMenu(title)) continue;
-        for (const NodeType* type : types_of(*state.catalog, kind))
-            if (type_item(theme, *type)) add_node(state, *type);
-        ImGui::EndMenu();
-    }
-    ImGui::Separator();
-    if (!ImGui::BeginMenu("Put the selection in", !state.selection.empty())) return;
-    for (const NodeType* type : types_of(*state.catalog, NodeKind::operation))
-        if (type_item(theme, *type)) wrap_selection(state, *type);
-    ImGui::EndMenu();
-}
-
 /// File name and whether it has unsaved changes, in the middle of the bar.
 void document_title(const AppState& state, const Theme& theme) {
     const std::string& path = state.document.path();
@@ -90,11 +46,13 @@ float menu_bar(AppState& state, Ui& ui) {
         for (const std::string_view menu : menus_in_order()) {
             if (ImGui::BeginMenu(std::string(menu).c_str())) {
                 for (const Action& action : all_actions())
-                    if (action.menu == menu) menu_item(state, theme, action);
+                    if (action.menu == menu) action_item(state, theme, action.name);
                 ImGui::EndMenu();
             }
             if (menu != "Edit" || !ImGui::BeginMenu("Add")) continue;
             add_menu(state, theme);
+            ImGui::Separator();
+            wrap_menu(state, theme);
             ImGui::EndMenu();
         }
         ImGui::PopStyleVar(2);

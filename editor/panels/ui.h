@@ -5,6 +5,7 @@
 
 #include "editor/app_state.h"
 #include "editor/edit_tools.h"
+#include "editor/pick.h"
 #include "editor/theme/theme.h"
 #include "editor/widgets/icons.h"
 
@@ -18,6 +19,13 @@ struct Typing {
     std::string text;
     bool begins = false;  ///< the text field must take the keyboard in the next frame
     bool is(NodeId n, int f, int c) const { return node == n && field == f && component == c; }
+};
+
+/// A node's id being typed in the tree.
+struct Renaming {
+    NodeId node{};
+    std::string text{};
+    bool begins = false;  ///< the text field must take the keyboard in the next frame
 };
 
 struct PathDialog {
@@ -39,8 +47,14 @@ struct Ui {
     std::string filter;     ///< of the hierarchy
 
     NodeDrag drag;
-    NodeId pressed_node;    ///< under the mouse when its button went down; becomes a drag once it moves
+    Hit pressed;            ///< under the mouse when its button went down; becomes a drag once it moves
     Vec2 pressed_at{0, 0};  ///< world
+    int clicks = 0;         ///< 2 in a double click
+    bool pressing = false;  ///< the left button went down over the table and is still held
+    bool copies = false;    ///< the drag is of copies (Alt)
+    bool marquee = false;   ///< a box is being drawn from pressed_at
+    Vec2 menu_at{0, 0};     ///< window pixels, where the right button went down
+    std::vector<NodeId> under_mouse;  ///< what the node menu was opened over
     bool panning = false;
     bool viewport_hovered = false;
     Vec2 mouse{0, 0};       ///< window pixels, with the fractions that Dear ImGui drops
@@ -48,6 +62,7 @@ struct Ui {
 
     Scrub scrub;
     Typing typing;
+    Renaming renaming;
     PathDialog dialog;
     bool frame_wanted = true;  ///< show the whole table in the next frame
 };
@@ -72,6 +87,16 @@ struct Problems {
     bool any_error() const { return has_errors(in_file) || has_errors(in_program); }
 };
 Problems problems_of(const AppState& state);
+
+/// What the mouse does over the table, which is the last item; and the end of it (Esc): whether there was a drag.
+void table_mouse(AppState& state, Ui& ui);
+bool cancel_drag(AppState& state, Ui& ui);
+
+// Rows of menus: an action; what can be added; what the selection can be put into; all that can be done with the selected nodes.
+void action_item(AppState& state, const Theme& theme, std::string_view name);
+void add_menu(AppState& state, const Theme& theme);
+void wrap_menu(AppState& state, const Theme& theme);
+void node_menu(AppState& state, Ui& ui);
 
 // Each draws its part of the window at a place, in screen pixels.
 float menu_bar(AppState& state, Ui& ui);  ///< returns its height

@@ -3,6 +3,7 @@
 
 #include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
+#include "editor/pick.h"
 #include "editor/widgets/widgets.h"
 #include "engine/core/at.h"
 
@@ -10,50 +11,8 @@ namespace pinfield::editor {
 
 namespace {
 
-constexpr double pick_slack_pixels = 4;
-constexpr float drag_threshold = 3;
-
 Vec2 vec(ImVec2 v) { return {v.x, v.y}; }
 ImVec2 im(const Vec2& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
-
-/// Begins, follows and ends the drag of a node. It starts only once the mouse has moved, so that a click selects and no more.
-void drag_node(AppState& state, Ui& ui) {
-    const ImGuiIO& io = ImGui::GetIO();
-    if (ImGui::IsItemActivated() && io.MouseDown[0] && !io.KeyAlt) {
-        ui.pressed_node = pick(state, ui.mouse_world, pick_slack_pixels / state.view.pixels_per_metre);
-        ui.pressed_at = ui.mouse_world;
-        if (!io.KeyShift) state.selection.set(ui.pressed_node);
-    }
-    if (!ImGui::IsItemActive()) {
-        if (ui.drag.active()) tell(state, ui.drag.end(state.document));
-        else if (ui.pressed_node && io.KeyShift) state.selection.toggle(ui.pressed_node);  // with a drag, Shift locks the axis
-        ui.pressed_node = {};
-        return;
-    }
-    if (!io.MouseDown[0]) return;
-    if (ui.pressed_node && !ui.drag.active() && ImGui::IsMouseDragging(0, drag_threshold)) {
-        ui.drag.begin(state.document, ui.pressed_node, ui.pressed_at);
-        ui.pressed_node = {};
-    }
-    if (ui.drag.active()) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-        // The same drag may have been taken back by Esc: then the preview stays away until the next press.
-        const double grid = io.KeyCtrl ? 0 : default_grid;
-        tell(state, ui.drag.update(state.document, ui.mouse_world, grid, io.KeyShift));
-    }
-}
-
-void pan_and_zoom(AppState& state, Ui& ui) {
-    ImGuiIO& io = ImGui::GetIO();
-    View& view = state.view;
-    if (ui.viewport_hovered && io.MouseWheel != 0) view.zoom_at(ui.mouse, std::pow(1.18, static_cast<double>(io.MouseWheel)));
-    const bool wants = io.MouseDown[2] || io.MouseDown[1] || (io.MouseDown[0] && io.KeyAlt);
-    if (ImGui::IsItemActive() && wants && !ui.drag.active()) ui.panning = true;
-    if (!wants) ui.panning = false;
-    if (!ui.panning) return;
-    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-    view.centre += Vec2(-io.MouseDelta.x, io.MouseDelta.y) / view.pixels_per_metre;
-}
 
 /// A bar of a round length, to see how large things are.
 void scale_bar(const AppState& state, const Theme& theme, ImDrawList& list, ImVec2 corner) {
@@ -107,6 +66,37 @@ void name_tag(const AppState& state, const Theme& theme, ImDrawList& list, NodeI
     list.AddText(place, ink(color), text.c_str());
 }
 
+void draw_marquee(const AppState& state, const Ui& ui, ImDrawList& list) {
+    const ImVec2 a = im(state.view.pixel_from_world(ui.pressed_at)), b = im(ui.mouse);
+    list.AddRectFilled({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}, ink(palette::accent.faded(0.12f)));
+    list.AddRect({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}, ink(palette::accent));
+}
+
+/// Where the hand is: the table, or the inside of an operator or part; a click goes back there.
+void breadcrumb(AppState& state, Ui& ui, ImVec2 position) {
+    if (!state.entered) return;
+    std::vector<NodeId> way;
+    for (const Node* node = state.document.scene().find(state.entered); node; node = state.document.scene().find(node->parent))
+        way.insert(way.begin(), node->id);
+    ImGui::SetCursorScreenPos({position.x + ui.theme.px(12), position.y + ui.theme.px(10)});
+    NodeId chosen;
+    const auto crumb = [&](const std::string& text, bool last) {
+        ImGui::PushStyleColor(ImGuiCol_Button, last ? palette::accent_deep : palette::bar.faded(0.88f));
+        const bool clicked = ImGui::Button(text.c_str());
+        ImGui::PopStyleColor();
+        return clicked;
+    };
+    const bool out = crumb("Table", false);
+    for (const NodeId id : way) {
+        ImGui::SameLine(0, ui.theme.px(4));
+        ImGui::PushID(static_cast<int>(id.value));
+        if (crumb(title_of(*state.document.scene().find(id)), id == state.entered)) chosen = id;
+        ImGui::PopID();
+    }
+    if (chosen) state.selection.set(chosen), state.entered = chosen;
+    else if (out) select(state, {});
+}
+
 void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -114,6 +104,7 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     draw_marks(state, ui, list);
     if (ui.hovered && !state.selection.contains(ui.hovered) && !ui.drag.active()) name_tag(state, theme, list, ui.hovered, palette::text);
     for (const NodeId node : state.selection.nodes()) name_tag(state, theme, list, node, palette::accent);
+    if (ui.marquee) draw_marquee(state, ui, list);
     scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
     list.PopClipRect();
 }
@@ -147,13 +138,10 @@ void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     ImGui::InvisibleButton("##table", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
-    ui.viewport_hovered = ImGui::IsItemHovered();
-    ui.mouse_world = state.view.world_from_pixel(ui.mouse);
-    pan_and_zoom(state, ui);
-    if (!ui.panning) drag_node(state, ui);
-    if (ui.viewport_hovered && !ui.panning) ui.hovered = pick(state, ui.mouse_world, pick_slack_pixels / state.view.pixels_per_metre);
+    table_mouse(state, ui);
     overlay(state, ui, position, size);
     view_controls(state, ui, position, size);
+    breadcrumb(state, ui, position);
     ImGui::End();
 }
 

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "editor/pick.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;

@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "editor/edit_tools.h"
+#include "editor/pick.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;

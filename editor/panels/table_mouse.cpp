@@ -1,0 +1,185 @@
+// What the mouse does over the table: select, enter, drag, copy by dragging, draw a box around, pan, zoom, ask for the menu.
+#include <cmath>
+
+#include "editor/panels/ui.h"
+#include "editor/pick.h"
+#include "editor/widgets/widgets.h"
+#include "engine/core/at.h"
+
+namespace pinfield::editor {
+namespace {
+
+constexpr double pick_slack_pixels = 4;
+constexpr float drag_threshold = 3;
+
+double slack_of(const AppState& state) { return pick_slack_pixels / state.view.pixels_per_metre; }
+
+NodeId domain_of(const AppState& state) {
+    for (const Solid& solid : state.session.program().fixed.solids)
+        if (solid.is_domain) return solid.origin;
+    return {};
+}
+
+/// A double click goes one level down: to the child under the mouse. Where nothing but the wall is, to the wall's pieces.
+void enter(AppState& state, const Ui& ui) {
+    const NodeId parent = ui.pressed.node ? ui.pressed.node : domain_of(state);
+    const std::vector<Hit> within = hits_within(state, parent, ui.mouse_world, slack_of(state));
+    if (!within.empty()) select(state, within.front().node);
+}
+
+void press(AppState& state, Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ui.pressed = grip_at(state, state.entered, ui.mouse_world, slack_of(state));
+    ui.pressed_at = ui.mouse_world;
+    ui.pressing = true;
+    ui.copies = io.KeyAlt;
+    if (ImGui::IsMouseDoubleClicked(0) && !io.KeyShift) return enter(state, ui);
+    if (ui.pressed.node && !io.KeyShift && !state.selection.contains(ui.pressed.node)) select(state, ui.pressed.node);
+}
+
+/// What goes along when the node under the mouse is dragged: with others selected, all of them.
+std::vector<Held> nodes_in_hand(const AppState& state, const Hit& pressed) {
+    std::vector<NodeId> nodes{pressed.node};
+    if (state.selection.contains(pressed.node)) nodes = outermost(state.document.scene(), state.selection.nodes());
+    std::vector<Held> held;
+    for (const NodeId node : nodes) {
+        held.push_back({node});
+        if (node == pressed.node) held.back().own_from_hand = pressed.own_from_hand;
+    }
+    return held;
+}
+
+void begin_drag(AppState& state, Ui& ui) {
+    if (!ui.pressed.node) {
+        ui.marquee = true;
+        return;
+    }
+    std::vector<Held> held = nodes_in_hand(state, ui.pressed);
+    if (ui.copies) {
+        const Outcome outcome = duplicate_nodes(state.document, state.selection.nodes(), {0, 0});
+        ui.copies = take(state, outcome);
+        if (!ui.copies) return;
+        held.clear();
+        for (const NodeId node : outcome.nodes) held.push_back({node});
+    }
+    ui.drag.begin(state.document, held, ui.pressed_at);
+}
+
+/// From left to right: what lies wholly in it; from right to left: what it touches.
+void end_marquee(AppState& state, Ui& ui) {
+    const Box2 box{ui.pressed_at.cwiseMin(ui.mouse_world), ui.pressed_at.cwiseMax(ui.mouse_world)};
+    std::vector<NodeId> nodes = nodes_in(state, box, ui.mouse_world.x() < ui.pressed_at.x());
+    if (ImGui::GetIO().KeyShift)
+        for (const NodeId node : state.selection.nodes())
+            if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
+    state.selection = Selection(std::move(nodes));
+    state.entered = {};
+}
+
+/// A click that was no drag.
+void click(AppState& state, const Ui& ui) {
+    if (ImGui::GetIO().KeyShift) {  // with a drag, Shift locks the axis
+        if (ui.pressed.node) state.selection.toggle(ui.pressed.node);
+    } else if (!ui.pressed.node) {
+        if (!ImGui::IsMouseDoubleClicked(0) && ui.clicks < 2) select(state, {});
+    } else if (ui.clicks < 2) {
+        select(state, ui.pressed.node);
+    }
+}
+
+void release(AppState& state, Ui& ui) {
+    if (ui.drag.active()) {
+        const std::size_t before = state.document.undo_steps();
+        tell(state, ui.drag.end(state.document));
+        if (ui.copies && state.document.undo_steps() > before) state.document.join_steps(state.message);
+    } else if (ui.marquee) {
+        end_marquee(state, ui);
+    } else if (ui.pressing) {
+        click(state, ui);
+    }
+    ui.pressing = ui.marquee = ui.copies = false;
+    ui.pressed = {};
+}
+
+void left_button(AppState& state, Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    if (ImGui::IsItemActivated() && io.MouseDown[0]) {
+        ui.clicks = ImGui::IsMouseDoubleClicked(0) ? 2 : 1;
+        press(state, ui);
+    }
+    if (!ImGui::IsItemActive()) {
+        if (ui.pressing) release(state, ui);
+        return;
+    }
+    if (!io.MouseDown[0] || !ui.pressing) return;
+    if (!ui.drag.active() && !ui.marquee && ImGui::IsMouseDragging(0, drag_threshold)) begin_drag(state, ui);
+    if (!ui.drag.active()) return;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    // The same drag may have been taken back by Esc: then the preview stays away until the next press.
+    tell(state, ui.drag.update(state.document, ui.mouse_world, io.KeyCtrl ? 0 : default_grid, io.KeyShift));
+}
+
+/// A right click that was no pan asks for the menu of what lies under the mouse.
+void right_button(AppState& state, Ui& ui) {
+    if (ImGui::IsItemClicked(1)) ui.menu_at = ui.mouse;
+    if (!ImGui::IsItemHovered() || !ImGui::IsMouseReleased(1) || length(ui.mouse - ui.menu_at) > drag_threshold) return;
+    ui.under_mouse.clear();
+    const Hit grip = grip_at(state, state.entered, ui.mouse_world, slack_of(state));
+    if (grip.node) ui.under_mouse.push_back(grip.node);
+    for (const Hit& hit : hits_at(state, ui.mouse_world, slack_of(state)))
+        if (hit.node != grip.node) ui.under_mouse.push_back(hit.node);
+    if (grip.node && !state.selection.contains(grip.node)) select(state, grip.node);
+    ImGui::OpenPopup("##node_menu");
+}
+
+void pan_and_zoom(AppState& state, Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    View& view = state.view;
+    if (ui.viewport_hovered && io.MouseWheel != 0) view.zoom_at(ui.mouse, std::pow(1.18, static_cast<double>(io.MouseWheel)));
+    const bool on_nothing = ui.pressing && !ui.pressed.node;
+    const bool wants = io.MouseDown[2] || io.MouseDown[1] || (io.MouseDown[0] && io.KeyAlt && on_nothing);
+    if (ImGui::IsItemActive() && wants && !ui.drag.active()) ui.panning = true;
+    if (!wants) ui.panning = false;
+    if (!ui.panning) return;
+    ui.pressing = ui.marquee = false;
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    view.centre += Vec2(-io.MouseDelta.x, io.MouseDelta.y) / view.pixels_per_metre;
+}
+
+}  // namespace
+
+void table_mouse(AppState& state, Ui& ui) {
+    ui.viewport_hovered = ImGui::IsItemHovered();
+    ui.mouse_world = state.view.world_from_pixel(ui.mouse);
+    state.pointer = ui.viewport_hovered ? std::optional(ui.mouse_world) : std::nullopt;
+    right_button(state, ui);
+    pan_and_zoom(state, ui);
+    if (!ui.panning) left_button(state, ui);
+    if (ui.viewport_hovered && !ui.panning) ui.hovered = grip_at(state, state.entered, ui.mouse_world, slack_of(state)).node;
+    if (ImGui::BeginPopup("##node_menu")) {
+        if (ui.under_mouse.size() > 1) {
+            text_in(ui.theme.small, palette::quiet, "Under the mouse");
+            for (const NodeId node : ui.under_mouse) {
+                const Node* found = state.document.scene().find(node);
+                const std::string label = found ? title_of(*found) + "##" + std::to_string(node.value) : "";
+                if (found && ImGui::MenuItem(label.c_str(), nullptr, state.selection.contains(node))) select(state, node);
+            }
+            ImGui::Separator();
+        }
+        node_menu(state, ui);
+        ImGui::EndPopup();
+    }
+}
+
+bool cancel_drag(AppState& state, Ui& ui) {
+    const bool any = ui.drag.active() || ui.marquee;
+    if (ui.drag.active()) {
+        ui.drag.cancel(state.document);
+        if (ui.copies) state.document.undo();
+    }
+    ui.pressing = ui.marquee = ui.copies = false;
+    ui.pressed = {};
+    return any;
+}
+
+}  // namespace pinfield::editor
