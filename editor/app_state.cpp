@@ -194,14 +194,14 @@ void shift_selection(AppState& state, int by) {
 /// By the grid of the table's frame. Nudges that follow each other are one step.
 void nudge(AppState& state, const Vec2& steps) {
     const std::vector<NodeId> chosen = outermost(state.document.scene(), state.selection.nodes());
-    const bool goes_on = state.nudged_step == state.document.undo_steps() && state.nudged == chosen && !state.document.can_redo();
-    const std::size_t before = state.document.undo_steps();
-    if (const auto why = move_by(state.document, chosen, default_grid * steps, default_grid)) return say(state, *why, true);
-    const std::string label = move_label(state.document.scene(), chosen);
-    if (goes_on && state.document.undo_steps() > before) state.document.join_steps(label);
+    const bool goes_on = state.document.can_undo() && state.nudged_step == state.document.undo_steps() && state.nudged == chosen &&
+                         !state.document.can_redo();
+    state.nudge = goes_on ? Vec2(state.nudge + steps) : steps;
+    if (goes_on) state.document.undo();  // all of the way again, from where it began: there and back restores the author's spelling
+    if (const auto why = move_by(state.document, chosen, default_grid * state.nudge, default_grid)) return say(state, *why, true);
     state.nudged_step = state.document.undo_steps();
     state.nudged = chosen;
-    say(state, label);
+    say(state, move_label(state.document.scene(), chosen));
 }
 
 void select_parent(AppState& state) {

@@ -32,7 +32,8 @@ struct AppState {
     Selection selection;
     NodeId entered;             ///< the operator or part whose children are clicked and dragged now; none: the table's own nodes
     std::optional<Vec2> pointer{};  ///< where the mouse is over the table, metres
-    std::vector<NodeId> nudged{};  ///< by the arrow keys last, and the step they left: further ones join it
+    std::vector<NodeId> nudged{};  ///< by the arrow keys last, how far in steps of the grid, and the step they left: further ones join it
+    Vec2 nudge{0, 0};
     std::size_t nudged_step = 0;
     std::string clipboard;      ///< what was cut or copied: YAML
     std::function<void(const std::string&)> give_clipboard{};  ///< to other programs, where there is a window

@@ -1,0 +1,105 @@
+// What a hand takes hold of, and several nodes in it.
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "editor/edit_tools.h"
+#include "editor/pick.h"
+#include "tests/editor/support.h"
+
+using namespace pinfield;
+using namespace pinfield::editor;
+using namespace pinfield::editor::test;
+
+namespace {
+
+const std::string halves = R"(pinfield: 1
+table: {size: [1, 1]}
+scene:
+  - mirror: {id: pair, at: [0.5, 0.5], children: [circle: {id: half, at: [0.2, 0], radius: 50mm}]}
+  - union:
+      id: both
+      children:
+        - circle: {id: left, at: [0.2, 0.2], radius: 50mm}
+        - box: {id: right, at: [0.26, 0.2], size: [80mm, 40mm]}
+)";
+
+AppState state_of(const Folder& folder, const std::string& text) {
+    AppState state(catalog(), Document::open(folder.write("table.yaml", text), catalog()).value());
+    advance(state, 0);
+    return state;
+}
+
+Vec2 place(const AppState& state, std::string_view node) { return state.document.scene().find(node)->get<Vec2>("at"); }
+
+}  // namespace
+
+TEST_CASE("an operator is picked whole, and its children once it is entered") {
+    const Folder folder;
+    const AppState state = state_of(folder, halves);
+    const NodeId both = id_of(state.document, "both");
+    CHECK(grip_at(state, {}, {0.17, 0.2}, 0).node == both);
+    CHECK(grip_at(state, both, {0.17, 0.2}, 0).node == id_of(state.document, "left"));
+    CHECK(grip_at(state, both, {0.29, 0.2}, 0).node == id_of(state.document, "right"));
+    CHECK(grip_at(state, both, {0.5, 0.9}, 0).node == NodeId{});
+}
+
+TEST_CASE("the half under the hand follows the hand, on either side of a mirror") {
+    const Folder folder;
+    AppState state = state_of(folder, halves);
+    const NodeId pair = id_of(state.document, "pair"), half = id_of(state.document, "half");
+    const Vec2 moved_by(0.03, 0.02);
+    for (const double side : {1.0, -1.0}) {
+        const Vec2 hand(0.5 + side * 0.2, 0.5);
+        const Hit hit = grip_at(state, pair, hand, 0);
+        REQUIRE(hit.node == half);
+        const Vec2 before = place(state, "half");
+        NodeDrag drag;
+        REQUIRE(drag.begin(state.document, std::array{Held{hit.node, hit.own_from_hand}}, hand));
+        CHECK_FALSE(drag.update(state.document, hand + moved_by, default_grid));
+        const Vec2 delta = place(state, "half") - before;
+        CHECK(delta.x() == Approx(side * moved_by.x()));
+        CHECK(delta.y() == Approx(moved_by.y()));
+        drag.cancel(state.document);
+    }
+}
+
+TEST_CASE("several nodes are moved together as one step, and nudges that follow each other are one") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    const std::string before = state.document.source().text();
+    state.selection = Selection({id_of(state.document, "pop"), id_of(state.document, "shelf")});
+    const Vec2 pop = place(state, "pop"), shelf = place(state, "shelf");
+    for (int i = 0; i < 5; ++i) run(state, "edit.nudge_right");
+    run(state, "edit.nudge_far_up");
+    CHECK(length(place(state, "pop") - pop - Vec2(0.005, 0.010)) < 1e-12);
+    CHECK(length(place(state, "shelf") - shelf - Vec2(0.005, 0.010)) < 1e-12);
+    CHECK(state.document.undo_steps() == 1);
+    state.document.undo();
+    CHECK(state.document.source().text() == before);
+    state.document.redo();
+    CHECK(length(place(state, "pop") - pop - Vec2(0.005, 0.010)) < 1e-12);
+}
+
+TEST_CASE("a nudge and its opposite leave no step") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    select(state, id_of(state.document, "shelf"));
+    run(state, "edit.nudge_right");
+    run(state, "edit.nudge_left");
+    INFO(state.document.source().text());
+    CHECK(state.document.undo_steps() == 0);
+    CHECK_FALSE(state.document.dirty());
+}
+
+TEST_CASE("another table is replaced only when it is named twice") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    const std::string other = folder.write("other.yaml", "precious");
+    run(state, "file.save_as");
+    state.dialog_path = other;
+    run(state, "dialog.accept");
+    CHECK(state.message_is_problem);
+    CHECK(folder.read("other.yaml") == "precious");
+    run(state, "dialog.accept");
+    CHECK(folder.read("other.yaml") == state.document.source().text());
+}
