@@ -105,8 +105,8 @@ void accept_path(AppState& state) {
         return;
     }
     std::error_code unknown;
-    const bool another = state.dialog_path != state.document.path() && std::filesystem::exists(state.dialog_path, unknown);
-    if (another && std::exchange(state.replaces, state.dialog_path) != state.dialog_path)
+    const bool there = std::filesystem::exists(state.dialog_path, unknown);
+    if (there && !std::filesystem::equivalent(state.dialog_path, state.document.path(), unknown) && std::exchange(state.replaces, state.dialog_path) != state.dialog_path)
         return say(state, fmt::format("There is a {} already. Save again to replace it, or give another name.", name_of(state.dialog_path)), true);
     const Result<void> saved = state.document.save_as(state.dialog_path);
     if (!saved) return say(state, saved.error().message, true);
@@ -176,7 +176,7 @@ void paste(AppState& state, const std::optional<Vec2>& centre) {
     take(state, paste_text(state.document, state.clipboard, spot, centre));
 }
 
-void select_all(AppState& state) { state.selection = Selection(state.document.scene().roots()); }
+void select_all(AppState& state) { select(state, state.document.scene().roots()); }
 
 void group(AppState& state) { wrap_selection(state, *state.catalog->find("group")); }
 void unwrap(AppState& state) { take(state, unwrap_nodes(state.document, state.selection.nodes())); }
@@ -191,17 +191,21 @@ void shift_selection(AppState& state, int by) {
     take(state, move_nodes(state.document, chosen, {scene.find(chosen[0])->parent, index + (by > 0 ? 1 : 0)}, true));
 }
 
-/// By the grid of the table's frame. Nudges that follow each other are one step.
+/// By the grid of the table's frame. Nudges that follow each other are one step, made anew from where the first began: there and back leaves
+/// the author's spelling.
 void nudge(AppState& state, const Vec2& steps) {
-    const std::vector<NodeId> chosen = outermost(state.document.scene(), state.selection.nodes());
-    const bool goes_on = state.document.can_undo() && state.nudged_step == state.document.undo_steps() && state.nudged == chosen &&
-                         !state.document.can_redo();
-    state.nudge = goes_on ? Vec2(state.nudge + steps) : steps;
-    if (goes_on) state.document.undo();  // all of the way again, from where it began: there and back restores the author's spelling
-    if (const auto why = move_by(state.document, chosen, default_grid * state.nudge, default_grid)) return say(state, *why, true);
-    state.nudged_step = state.document.undo_steps();
-    state.nudged = chosen;
-    say(state, move_label(state.document.scene(), chosen));
+    Document& document = state.document;
+    const auto text = [&] { return document.scene().sources.shared_main(); };
+    const std::vector<NodeId> chosen = outermost(document.scene(), state.selection.nodes());
+    const bool goes_on = document.can_undo() && !document.can_redo() && state.nudge.left == text() && state.nudge.nodes == chosen;
+    const Vec2 all_steps = goes_on ? Vec2(state.nudge.steps + steps) : steps;
+    if (goes_on) document.undo();
+    if (const auto why = move_by(document, chosen, default_grid * all_steps, default_grid)) {
+        if (goes_on) document.redo();
+        return say(state, *why, true);
+    }
+    state.nudge = {chosen, all_steps, text()};
+    say(state, move_label(document.scene(), chosen));
 }
 
 void select_parent(AppState& state) {
@@ -227,19 +231,27 @@ void select_where(AppState& state, const std::function<bool(const Node&)>& wante
     std::vector<NodeId> nodes;
     for (const NodeId id : state.document.scene().all())
         if (const Node& node = *state.document.scene().find(id); !node.is_record() && wanted(node)) nodes.push_back(id);
-    state.selection = Selection(std::move(nodes));
+    select(state, std::move(nodes));
+}
+
+/// The selected node of the table, or null, with a word about it, where that is a record or gone.
+const Node* selected_node(AppState& state) {
+    const Node* node = state.document.scene().find(state.selection.primary());
+    if (node && !node->is_record()) return node;
+    say(state, "Select a node of the table", true);
+    return nullptr;
 }
 
 void select_same_type(AppState& state) {
-    const NodeType* type = state.document.scene().find(state.selection.primary())->type;
-    select_where(state, [&](const Node& node) { return node.type == type; });
+    const Node* chosen = selected_node(state);
+    if (!chosen) return;
+    select_where(state, [type = chosen->type](const Node& node) { return node.type == type; });
 }
 
 void select_same_material(AppState& state) {
-    const Node* chosen = state.document.scene().find(state.selection.primary());
-    if (chosen->is_record()) return say(state, "Select a node of the table", true);
-    const Value material = chosen->value("material");
-    select_where(state, [&](const Node& node) { return identical(node.value("material"), material); });
+    const Node* chosen = selected_node(state);
+    if (!chosen) return;
+    select_where(state, [material = chosen->value("material")](const Node& node) { return identical(node.value("material"), material); });
 }
 
 bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
@@ -357,15 +369,16 @@ bool edit(AppState& state, const SetField& change, const std::string& label) {
 
 bool take(AppState& state, const Outcome& outcome) {
     if (outcome.refusal) return say(state, *outcome.refusal, true), false;
-    state.selection = Selection(outcome.nodes);
-    state.entered = compound_around(state.document.scene(), state.selection.primary());
+    select(state, outcome.nodes);
     say(state, outcome.done);
     return true;
 }
 
-void select(AppState& state, NodeId node) {
-    state.selection.set(node);
-    state.entered = compound_around(state.document.scene(), node);
+void select(AppState& state, NodeId node) { select(state, node ? std::vector{node} : std::vector<NodeId>{}); }
+
+void select(AppState& state, std::vector<NodeId> nodes) {
+    state.selection = Selection(std::move(nodes));
+    state.entered = compound_around(state.document.scene(), state.selection.primary());
 }
 
 void add_node(AppState& state, const NodeType& type) {

@@ -22,6 +22,13 @@ struct Prompt {
     std::string path{};       ///< the file that then_action opens; empty: it asks
 };
 
+/// What the arrow keys did last: further ones are part of the same step while nothing else has been done since.
+struct Nudge {
+    std::vector<NodeId> nodes;
+    Vec2 steps{0, 0};                        ///< of the grid, all of them together
+    std::shared_ptr<const SourceText> left;  ///< the text they left
+};
+
 struct AppState {
     AppState(std::shared_ptr<const Catalog> catalog, Document document);
 
@@ -32,9 +39,7 @@ struct AppState {
     Selection selection;
     NodeId entered;             ///< the operator or part whose children are clicked and dragged now; none: the table's own nodes
     std::optional<Vec2> pointer{};  ///< where the mouse is over the table, metres
-    std::vector<NodeId> nudged{};  ///< by the arrow keys last, how far in steps of the grid, and the step they left: further ones join it
-    Vec2 nudge{0, 0};
-    std::size_t nudged_step = 0;
+    Nudge nudge{};
     std::string clipboard;      ///< what was cut or copied: YAML
     std::function<void(const std::string&)> give_clipboard{};  ///< to other programs, where there is a window
     std::function<std::string()> ask_clipboard{};              ///< of other programs, likewise
@@ -61,6 +66,8 @@ void open_file(AppState& state, const std::string& path);
 bool edit(AppState& state, const SetField& change, const std::string& label);
 /// Selects one node alone; a child of an operator or part is entered with it, so that its siblings can be clicked and dragged.
 void select(AppState& state, NodeId node);
+/// Selects these; the last of them is the one that panels show.
+void select(AppState& state, std::vector<NodeId> nodes);
 /// Puts a new node of this type beside the selection, in the middle of the view, and selects it.
 void add_node(AppState& state, const NodeType& type);
 /// Puts the selected nodes into a new node of this type.

@@ -137,19 +137,15 @@ void Document::push(Step step) {
     position_ = history_.size();
 }
 
-void Document::join_steps(const std::string& label) {
+void Document::join_steps() {
     if (position_ < 2 || position_ != history_.size()) return;
-    Step& first = history_[position_ - 2];
-    Step& second = history_[position_ - 1];
-    first.label = label;
+    Step second = std::move(history_.back());
+    history_.pop_back();
+    position_ = history_.size();
+    Step& first = history_.back();
     first.source_after = std::move(second.source_after);
     first.ids_after = std::move(second.ids_after);
     first.changes.insert(first.changes.end(), second.changes.begin(), second.changes.end());
-    history_.pop_back();
-    --position_;
-    if (first.source_before->text() != first.source_after->text()) return;
-    history_.pop_back();  // the second has taken the first back
-    --position_;
 }
 
 /// Goes to a neighbouring state of the history.

@@ -61,8 +61,8 @@ public:
     void redo();
     std::size_t undo_steps() const { return position_; }
     const std::string* undo_label() const;
-    /// Makes the last two steps one (nudges that follow each other; a copy and where it was dragged to).
-    void join_steps(const std::string& label);
+    /// Makes the last two steps one, under the first one's name: a copy, and where it was dragged to.
+    void join_steps();
     const std::string* redo_label() const;
 
     /// Atomic; refuses when the disk no longer holds what was loaded or saved last.

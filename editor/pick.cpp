@@ -1,6 +1,7 @@
 #include "editor/pick.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "engine/core/at.h"
@@ -164,21 +165,24 @@ NodeId pick(const AppState& state, const Vec2& world, double slack) {
 }
 
 std::vector<Hit> hits_within(const AppState& state, NodeId parent, const Vec2& world, double slack) {
-    const Node* node = state.document.scene().find(parent);
+    const Scene& scene = state.document.scene();
+    const Node* node = scene.find(parent);
     if (!node || node->children.empty()) return {};
     bool is_domain = false;
-    for (const Solid& solid : state.session.program().fixed.solids) is_domain = is_domain || (solid.is_domain && solid.origin == parent);
-    const std::set<NodeId> inside = subtree(state.document.scene(), parent);
     std::vector<Candidate> found;
     for_each_field(state, world, [&](const Field& field, const Vec2& p) {
-        Descent descent(state, field, parent, is_domain ? infinity : slack, found);
         for (const Solid& solid : field.solids) {
-            const std::set<NodeId> below = subtree(state.document.scene(), solid.origin);
-            if (inside.count(solid.origin) || below.count(parent)) descent.visit(solid.root, p, Eigen::Matrix2d::Identity());
+            const bool related = solid.origin == parent || scene.is_within(solid.origin, parent) || scene.is_within(parent, solid.origin);
+            if (!related) continue;
+            is_domain = is_domain || (solid.is_domain && solid.origin == parent);
+            Descent(state, field, parent, solid.is_domain ? infinity : slack, found).visit(solid.root, p, Eigen::Matrix2d::Identity());
         }
     });
-    if (is_domain)  // balls are inside of all pieces at once: what is meant is the outline
-        for (Candidate& candidate : found) candidate.hit.distance = std::fabs(candidate.hit.distance);
+    if (!is_domain) return sorted(std::move(found));
+    // In play every point is inside of a piece: what is meant is an outline near by, or, from within the wall, the nearest one.
+    const bool in_wall = std::none_of(found.begin(), found.end(), [](const Candidate& candidate) { return candidate.is_inside(); });
+    for (Candidate& candidate : found) candidate.hit.distance = std::fabs(candidate.hit.distance);
+    if (!in_wall) std::erase_if(found, [&](const Candidate& candidate) { return candidate.hit.distance > slack; });
     return sorted(std::move(found));
 }
 

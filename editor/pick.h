@@ -23,7 +23,8 @@ std::vector<Hit> hits_at(const AppState& state, const Vec2& world, double slack)
 /// The first of them, or none in free space.
 NodeId pick(const AppState& state, const Vec2& world, double slack);
 
-/// The children of an operator or part under a point, in the order of hits_at(); of the domain, its pieces by how near their outline is.
+/// The children of an operator or part under a point, in the order of hits_at(); of the domain, the pieces whose
+/// outline is within `slack`, or, from within the wall, all of them, the nearest first.
 std::vector<Hit> hits_within(const AppState& state, NodeId parent, const Vec2& world, double slack);
 
 /// What a hand at this point takes hold of: a child of `entered` where that has one there, else the first of hits_at().

@@ -32,7 +32,7 @@ public:
         const double value = in_unit(sum).value;
         if (!failed() && !std::isfinite(value)) fail("that is no number");
         if (failed()) return failure(why_);
-        return value;
+        return is_computed_ ? *parse_number(fmt::format("{:.12g}", value)) : value;  // a file keeps no digits that only rounding put there
     }
 
 private:
@@ -67,6 +67,7 @@ private:
             const bool plus = take('+'), minus = !plus && take('-');
             if (!plus && !minus) break;
             Term other = read_product();
+            is_computed_ = true;
             if (sum.is_bare != other.is_bare) sum = in_unit(sum), other = in_unit(other);
             sum.value += plus ? other.value : -other.value;
         }
@@ -78,6 +79,7 @@ private:
             const bool times = take('*'), over = !times && take('/');
             if (!times && !over) break;
             const Term other = read_sign();
+            is_computed_ = true;
             if (!other.is_bare && (over || !product.is_bare)) fail("only one of the factors may have a unit, and not the divisor");
             if (over && other.value == 0) fail("that would divide by 0");
             product = {times ? product.value * other.value : product.value / other.value, product.is_bare && other.is_bare};
@@ -133,6 +135,7 @@ private:
     std::string_view shown_unit_;
     std::size_t at_ = 0;
     int depth_ = 0;
+    bool is_computed_ = false;
     std::string why_;
 };
 

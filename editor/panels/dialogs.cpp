@@ -134,12 +134,14 @@ void path_dialog(AppState& state, Ui& ui) {
         if (state.message_is_problem) text_in(theme.body, palette::amber, state.message);
         ImGui::Dummy({0, theme.px(4)});
         align_right(2 * theme.px(92) + ImGui::GetStyle().ItemSpacing.x);
+        const std::string path = (fs::path(dialog.folder) / dialog.name).string();
+        const bool replaces = state.replaces == path;
         const bool cancel = dialog_button(theme, "Cancel", false) || escape_pressed();
         ImGui::SameLine();
-        accept = dialog_button(theme, opens ? "Open" : state.replaces.empty() ? "Save" : "Replace", true) || accept;
+        accept = dialog_button(theme, opens ? "Open" : replaces ? "Replace" : "Save", true) || accept;
         if (cancel) run(state, "dialog.cancel");
         else if (accept && !dialog.name.empty()) {
-            state.dialog_path = (fs::path(dialog.folder) / dialog.name).string();
+            state.dialog_path = path;
             run(state, "dialog.accept");
         }
         if (state.dialog_action.empty()) ImGui::CloseCurrentPopup();
@@ -199,6 +201,10 @@ void table_keys(const AppState& state, const Theme& theme, float column) {
     sheet_line(theme, "Select, move", "click, drag", column);
     sheet_line(theme, "Move freely", "Ctrl + drag", column);
     sheet_line(theme, "Keep to one axis", "Shift + drag", column);
+    sheet_line(theme, "Move a copy", "Alt + drag", column);
+    sheet_line(theme, "Select many", "draw a box, Shift + click", column);
+    sheet_line(theme, "Into an operator", "double click", column);
+    sheet_line(theme, "All that can be done", "right click", column);
     sheet_line(theme, "Pan", "middle or right drag", column);
     sheet_line(theme, "Zoom", "wheel", column);
     sheet_line(theme, "Change a number", "drag it sideways", column);

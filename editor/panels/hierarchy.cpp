@@ -27,7 +27,8 @@ public:
             above_selection_.push_back(node->parent);
         reveal_ = !state.selection.empty() && state.selection.primary() != ui.revealed;
         if (const NodeId node = std::exchange(state.renaming, NodeId{})) {
-            ui.renaming = {node, scene_.find(node)->name, true};
+            if (const Node* found = scene_.find(node)) ui.renaming = {node, found->name, true};
+            ui.filter.clear();
             reveal_ = true;
         }
     }
@@ -47,6 +48,7 @@ public:
             }
         }
         if (reveal_) ui_.revealed = state_.selection.primary();
+        if (!rename_drawn_) ui_.renaming = {};  // no row, no typing
         if (renamed_.first) take(state_, rename_node(state_.document, renamed_.first, renamed_.second));
         if (dropped_) take(state_, move_nodes(state_.document, dropped_nodes_, *dropped_, !ImGui::GetIO().KeyCtrl));
         if (!clicked_) return;
@@ -123,11 +125,7 @@ private:
         if (hot && parent && ImGui::IsMouseDoubleClicked(0) && ImGui::GetIO().MousePos.x > place.x + indent + arrow_width) *open = !*open;
         if (hot) ui_.hovered = node.id;
         if (!node.is_record()) drag_and_drop(node, place, {width, height}, indent + arrow_width);
-        if (ImGui::BeginPopupContextItem("node menu")) {
-            if (ImGui::IsWindowAppearing() && !selected) select(state_, node.id);
-            node_menu(state_, ui_);
-            ImGui::EndPopup();
-        }
+        if (hot && ImGui::IsMouseReleased(1)) ui_.menu_node = node.id;
         if (reveal_ && selected && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
         paint(node, place, {width, height}, indent, arrow_width, selected, hot, parent, *open);
         ImGui::PopID();
@@ -167,6 +165,7 @@ private:
     /// The node's id while it is typed anew: Enter takes it, Esc leaves it.
     void rename_field(const Node& node, ImVec2 place, float indent, float width, float height) {
         Renaming& renaming = ui_.renaming;
+        rename_drawn_ = true;
         ImGui::SetCursorScreenPos({place.x + indent, place.y});
         ImGui::SetNextItemWidth(width - indent);
         if (renaming.begins) ImGui::SetKeyboardFocusHere();
@@ -246,8 +245,19 @@ private:
     std::pair<NodeId, std::string> renamed_;
     std::vector<NodeId> dropped_nodes_;
     std::optional<Spot> dropped_;
-    bool reveal_ = false;
+    bool reveal_ = false, rename_drawn_ = false;
 };
+
+/// After the rows are done: what the menu does may replace the scene that they are drawn from.
+void row_menu(AppState& state, Ui& ui) {
+    if (const NodeId node = std::exchange(ui.menu_node, NodeId{})) {
+        if (!state.selection.contains(node)) select(state, node);
+        ImGui::OpenPopup("##row_menu");
+    }
+    if (!ImGui::BeginPopup("##row_menu")) return;
+    node_menu(state, ui);
+    ImGui::EndPopup();
+}
 
 void filter_box(Ui& ui) {
     const Theme& theme = ui.theme;
@@ -272,6 +282,7 @@ void hierarchy_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     Tree(state, ui).draw();
     ImGui::PopStyleVar();
+    row_menu(state, ui);
     ImGui::EndChild();
     ImGui::End();
 }

@@ -1,10 +1,10 @@
 // What the mouse does over the table: select, enter, drag, copy by dragging, draw a box around, pan, zoom, ask for the menu.
+#include <algorithm>
 #include <cmath>
 
 #include "editor/panels/ui.h"
 #include "editor/pick.h"
 #include "editor/widgets/widgets.h"
-#include "engine/core/at.h"
 
 namespace pinfield::editor {
 namespace {
@@ -33,7 +33,8 @@ void press(AppState& state, Ui& ui) {
     ui.pressed_at = ui.mouse_world;
     ui.pressing = true;
     ui.copies = io.KeyAlt;
-    if (ImGui::IsMouseDoubleClicked(0) && !io.KeyShift) return enter(state, ui);
+    ui.double_click = ImGui::IsMouseDoubleClicked(0);
+    if (ui.double_click && !io.KeyShift) return enter(state, ui);
     if (ui.pressed.node && !io.KeyShift && !state.selection.contains(ui.pressed.node)) select(state, ui.pressed.node);
 }
 
@@ -56,11 +57,12 @@ void begin_drag(AppState& state, Ui& ui) {
     }
     std::vector<Held> held = nodes_in_hand(state, ui.pressed);
     if (ui.copies) {
-        const Outcome outcome = duplicate_nodes(state.document, state.selection.nodes(), {0, 0});
-        ui.copies = take(state, outcome);
+        std::vector<NodeId> nodes;
+        for (const Held& one : held) nodes.push_back(one.node);
+        const Outcome outcome = duplicate_nodes(state.document, nodes, {0, 0});
+        ui.copies = take(state, outcome) && outcome.nodes.size() == held.size();
+        for (std::size_t i = 0; ui.copies && i < held.size(); ++i) held[i].node = outcome.nodes[i];
         if (!ui.copies) return;
-        held.clear();
-        for (const NodeId node : outcome.nodes) held.push_back({node});
     }
     ui.drag.begin(state.document, held, ui.pressed_at);
 }
@@ -72,17 +74,14 @@ void end_marquee(AppState& state, Ui& ui) {
     if (ImGui::GetIO().KeyShift)
         for (const NodeId node : state.selection.nodes())
             if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
-    state.selection = Selection(std::move(nodes));
-    state.entered = {};
+    select(state, std::move(nodes));
 }
 
 /// A click that was no drag.
 void click(AppState& state, const Ui& ui) {
     if (ImGui::GetIO().KeyShift) {  // with a drag, Shift locks the axis
         if (ui.pressed.node) state.selection.toggle(ui.pressed.node);
-    } else if (!ui.pressed.node) {
-        if (!ImGui::IsMouseDoubleClicked(0) && ui.clicks < 2) select(state, {});
-    } else if (ui.clicks < 2) {
+    } else if (!ui.double_click) {
         select(state, ui.pressed.node);
     }
 }
@@ -91,7 +90,7 @@ void release(AppState& state, Ui& ui) {
     if (ui.drag.active()) {
         const std::size_t before = state.document.undo_steps();
         tell(state, ui.drag.end(state.document));
-        if (ui.copies && state.document.undo_steps() > before) state.document.join_steps(state.message);
+        if (ui.copies && state.document.undo_steps() > before) state.document.join_steps();
     } else if (ui.marquee) {
         end_marquee(state, ui);
     } else if (ui.pressing) {
@@ -104,7 +103,6 @@ void release(AppState& state, Ui& ui) {
 void left_button(AppState& state, Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemActivated() && io.MouseDown[0]) {
-        ui.clicks = ImGui::IsMouseDoubleClicked(0) ? 2 : 1;
         press(state, ui);
     }
     if (!ImGui::IsItemActive()) {

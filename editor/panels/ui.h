@@ -49,7 +49,7 @@ struct Ui {
     NodeDrag drag;
     Hit pressed;            ///< under the mouse when its button went down; becomes a drag once it moves
     Vec2 pressed_at{0, 0};  ///< world
-    int clicks = 0;         ///< 2 in a double click
+    bool double_click = false;
     bool pressing = false;  ///< the left button went down over the table and is still held
     bool copies = false;    ///< the drag is of copies (Alt)
     bool marquee = false;   ///< a box is being drawn from pressed_at
@@ -63,6 +63,7 @@ struct Ui {
     Scrub scrub;
     Typing typing;
     Renaming renaming;
+    NodeId menu_node;       ///< row of the tree whose menu is to open
     PathDialog dialog;
     bool frame_wanted = true;  ///< show the whole table in the next frame
 };

@@ -94,7 +94,7 @@ void breadcrumb(AppState& state, Ui& ui, ImVec2 position) {
         ImGui::PopID();
     }
     if (chosen) state.selection.set(chosen), state.entered = chosen;
-    else if (out) select(state, {});
+    else if (out) select(state, NodeId{});
 }
 
 void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {

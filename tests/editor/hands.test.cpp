@@ -91,6 +91,19 @@ TEST_CASE("a nudge and its opposite leave no step") {
     CHECK_FALSE(state.document.dirty());
 }
 
+TEST_CASE("a nudge takes back no step but its own") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    select(state, id_of(state.document, "pop"));
+    run(state, "edit.nudge_right");
+    run(state, "edit.undo");
+    REQUIRE(edit(state, change(state.document, "pop", "kick", 1.25), "Kick harder"));
+    run(state, "edit.nudge_right");
+    CHECK(state.document.undo_steps() == 2);
+    CHECK(state.document.scene().find("pop")->get<double>("kick") == 1.25);
+    CHECK(place(state, "pop").x() == Approx(0.251));
+}
+
 TEST_CASE("another table is replaced only when it is named twice") {
     const Folder folder;
     AppState state = opened_state(folder);
