@@ -142,7 +142,7 @@ ScriptRunner::Frame ScriptRunner::run(const ScriptStep& step, AppState& state, S
         case Kind::select: {
             const Node* node = state.document.scene().find(step.name);
             if (!node) return fail(fmt::format("there is no node {}", step.name));
-            state.selection.set(node->id);
+            select(state, node->id);
             return {};
         }
     }

@@ -199,10 +199,11 @@ void table_keys(const AppState& state, const Theme& theme, float column) {
     ImGui::Dummy({0, theme.px(8)});
     text_in(theme.strong, palette::quiet, "Mouse");
     sheet_line(theme, "Select, move", "click, drag", column);
+    sheet_line(theme, "Move by the grid", "arrows, Shift: ten", column);
     sheet_line(theme, "Move freely", "Ctrl + drag", column);
     sheet_line(theme, "Keep to one axis", "Shift + drag", column);
     sheet_line(theme, "Move a copy", "Alt + drag", column);
-    sheet_line(theme, "Select many", "draw a box, Shift + click", column);
+    sheet_line(theme, "Select many", "a box, Shift + click", column);
     sheet_line(theme, "Into an operator", "double click", column);
     sheet_line(theme, "All that can be done", "right click", column);
     sheet_line(theme, "Pan", "middle or right drag", column);
@@ -217,12 +218,15 @@ void table_keys(const AppState& state, const Theme& theme, float column) {
 void shortcut_sheet(AppState& state, Ui& ui) {
     if (!state.show_help) return;
     const Theme& theme = ui.theme;
-    if (!begin_modal(theme, "##keys", 700)) return;
+    if (!begin_modal(theme, "##keys", 1000)) return;
     text_in(theme.large, palette::text, "Keys");
     ImGui::Dummy({0, theme.px(6)});
     const float column = theme.px(160);
-    ImGui::Columns(2, "##columns", false);
+    // Where the window is too low for all of it, the keys scroll and the button stays.
+    ImGui::BeginChild("##keys_list", {0, std::min(theme.px(560), 0.94f * ImGui::GetIO().DisplaySize.y - theme.px(130))});
+    ImGui::Columns(3, "##columns", false);
     for (const std::string_view menu : menus_with_keys()) {
+        if (menu == "Play") ImGui::NextColumn();
         text_in(theme.strong, palette::quiet, menu);
         for (const Action& action : all_actions())
             if (action.menu == menu && !action.shortcut.empty())
@@ -232,6 +236,7 @@ void shortcut_sheet(AppState& state, Ui& ui) {
     ImGui::NextColumn();
     table_keys(state, theme, column);
     ImGui::Columns(1);
+    ImGui::EndChild();
     align_right(theme.px(92));
     if (dialog_button(theme, "Close", true) || escape_pressed()) state.show_help = false;
     if (!state.show_help) ImGui::CloseCurrentPopup();

@@ -18,7 +18,8 @@ TEST_CASE("a typed number means the unit that is shown, and sums may mix units")
     CHECK(metres("26mm/2") == 0.013);
     CHECK(metres("-5") == Approx(-0.005));
     CHECK(metres("1e2") == Approx(0.1));
-    CHECK(typed_number("0.8/2", Unit::none, "").value() == Approx(0.4));
+    CHECK(typed_number("0.8/2", Unit::none, "").value() == 0.4);
+    CHECK(typed_number("0.1+0.2", Unit::none, "").value() == 0.3);
 }
 
 TEST_CASE("what is no number, or no length, is refused with a reason") {
