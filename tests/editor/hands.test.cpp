@@ -1,9 +1,11 @@
 // What a hand takes hold of, and several nodes in it.
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "editor/edit_tools.h"
 #include "editor/pick.h"
+#include "engine/core/rng.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -60,6 +62,48 @@ TEST_CASE("the half under the hand follows the hand, on either side of a mirror"
         CHECK(delta.x() == Approx(side * moved_by.x()));
         CHECK(delta.y() == Approx(moved_by.y()));
         drag.cancel(state.document);
+    }
+}
+
+TEST_CASE("whatever shows copies of a child or bends it, the one under the hand goes where the hand goes") {
+    const std::string child = "children: [circle: {id: disc, at: [0.06, 0.03], radius: 20mm}]";
+    const std::string place = "at: [0.5, 0.5], turn: 20, scale: 1.3, ";
+    const std::vector<std::string> operators = {
+        "mirror: {id: op, " + place + "flip: y, across: y, " + child + "}",
+        "repeat: {id: op, " + place + "count: [3, 2], step: [0.15, 0.14], " + child + "}",
+        "repeat_polar: {id: op, " + place + "count: 5, " + child + "}",
+        "stretch: {id: op, " + place + "by: [1.5, 0.7], " + child + "}",
+        "bend: {id: op, " + place + "sag: 40mm, length: 300mm, " + child + "}",
+        "twist: {id: op, " + place + "angle: 90, radius: 150mm, " + child + "}",
+        "elongate: {id: op, " + place + "by: [20mm, 10mm], " + child + "}",
+        "repeat_polar: {" + place + "count: 3, children: [mirror: {id: op, at: [0.12, 0.1], turn: 33, " + child + "}]}",
+        "mirror: {" + place + "children: [twist: {id: op, at: [0.1, 0], angle: 60, radius: 120mm, " + child + "}]}",
+    };
+    CounterRng rng(20);
+    for (const std::string& text : operators) {
+        INFO(text);
+        const Folder folder;
+        AppState state = state_of(folder, "pinfield: 1\ntable: {size: [1, 1]}\nscene:\n  - " + text + "\n");
+        REQUIRE_FALSE(has_errors(state.document.diagnostics()));
+        const NodeId op = id_of(state.document, "op"), disc = id_of(state.document, "disc");
+        int tried = 0;
+        for (int i = 0; i < 40000 && tried < 40; ++i) {
+            const Vec2 hand(rng.in(0, 1), rng.in(0, 1)), delta(rng.in(-4e-4, 4e-4), rng.in(-4e-4, 4e-4));
+            const Hit hit = grip_at(state, op, hand, 0);
+            if (hit.node != disc) continue;
+            ++tried;
+            NodeDrag drag;
+            REQUIRE(drag.begin(state.document, std::array{Held{disc, hit.own_from_hand}}, hand));
+            REQUIRE_FALSE(drag.update(state.document, hand + delta, 0));
+            advance(state, 0);
+            // The disc's own distance at the hand is what it was, up to the grid of the file and what a bent way is not straight.
+            const std::vector<Hit> after = hits_within(state, op, hand + delta, 1);
+            REQUIRE_FALSE(after.empty());
+            CHECK(std::fabs(after.front().distance - hit.distance) < 4e-5);
+            drag.cancel(state.document);
+            advance(state, 0);
+        }
+        CHECK(tried == 40);
     }
 }
 
