@@ -30,7 +30,7 @@ public:
 
     /// Floats, rounded outwards with room to spare: half the memory, and rounding never prunes the nearest entry.
     struct TreeNode {
-        float lo_x, lo_y, hi_x, hi_y;
+        float lo_x = 0, lo_y = 0, hi_x = 0, hi_y = 0;
         int first = 0;  ///< leaf: first entry in order_; inner: index of the left child, the right one follows it
         int count = 0;  ///< entries of a leaf; 0 for an inner node
     };

@@ -123,6 +123,7 @@ std::optional<Diagnostic> broken_contract(const Node& node) {
     const NodeType& type = *node.type;
     if (type.contracts.empty()) return {};
     std::vector<Value> own;
+    own.reserve(static_cast<std::size_t>(type.own_fields));
     for (int i = 0; i < type.own_fields; ++i) own.push_back(at(node.fields, i).value);
     // A contract may read what derive() fills in, so the block has room for it.
     const std::vector<double> params = pack(type, own, type.kernels ? type.kernels->derived_count : 0);
@@ -144,20 +145,21 @@ void check_references(const KnownNames& known, const FieldType& field, const Fie
     if (field.meta.meaning == Meaning::material) {
         const auto& name = std::get<std::string>(slot.value);
         if (name.empty() || name == "default" || holds(known.materials, name)) return;
-        findings.push_back(diagnose(Code::unknown_material, slot.where, fmt::format("no material is called {}", name),
-                                    suggestion(name, known.materials)));
+        findings.push_back(
+            diagnose(Code::unknown_material, slot.where, fmt::format("no material is called {}", name), suggestion(name, known.materials)));
     }
     if (field.meta.meaning == Meaning::input)
         for (const std::string& name : std::get<std::vector<std::string>>(slot.value))
             if (findings.size() <= most && !holds(known.inputs, name))
-                findings.push_back(diagnose(Code::unknown_input, slot.where, fmt::format("no input is called {}", name),
-                                            suggestion(name, known.inputs)));
+                findings.push_back(
+                    diagnose(Code::unknown_input, slot.where, fmt::format("no input is called {}", name), suggestion(name, known.inputs)));
 }
 
 std::string taken_id(std::string_view id) { return fmt::format("the id {} is taken", id); }
 
 bool is_id_taken(const Scene& scene, std::string_view id, NodeId node) {
-    const bool is_input = std::any_of(scene.inputs.begin(), scene.inputs.end(), [&](const InputBinding& input) { return input.name == id; });
+    const bool is_input =
+        std::any_of(scene.inputs.begin(), scene.inputs.end(), [&](const InputBinding& input) { return input.name == id; });
     if (is_input) return true;
     const std::vector<NodeId> all = scene.all();
     return std::any_of(all.begin(), all.end(), [&](NodeId other) {

@@ -36,8 +36,7 @@ struct Lattice {
         }
         if (count[0] > too_many || count[1] > too_many || count[0] * count[1] > too_many) return std::nullopt;
         for (int row = 0; row < count[1]; ++row)
-            for (int column = 0; column < count[0]; ++column)
-                out.push_back(step.cwiseProduct(Vec2(first[0] + column, first[1] + row)));
+            for (int column = 0; column < count[0]; ++column) out.emplace_back(step.cwiseProduct(Vec2(first[0] + column, first[1] + row)));
         return out;
     }
 

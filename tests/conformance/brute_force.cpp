@@ -66,8 +66,8 @@ double distance_to_loop(const Vec2& p, const Loop& loop) {
         const double d = (p - loop[i]).squaredNorm();
         if (d < best) best = d, nearest = i;
     }
-    const Vec2 middle = loop[nearest];
-    const Vec2 before = loop[(nearest + loop.size() - 1) % loop.size()], after = loop[(nearest + 1) % loop.size()];
+    const Vec2& middle = loop[nearest];
+    const Vec2 &before = loop[(nearest + loop.size() - 1) % loop.size()], &after = loop[(nearest + 1) % loop.size()];
     const Vec2 slope = 0.5 * (after - before), bend = 0.5 * (after + before) - middle;
     const auto distance_at = [&](double t) { return length(Vec2(middle + t * slope + t * t * bend - p)); };
     double lo = -1, hi = 1;
@@ -81,14 +81,14 @@ double distance_to_loop(const Vec2& p, const Loop& loop) {
 std::vector<Vec2> points_along(const sdf::Piece& piece, int count) {
     std::vector<Vec2> out;
     if (!piece.is_arc()) {
-        for (int i = 0; i < count; ++i) out.push_back(piece.a + i / (count - 1.0) * (piece.b - piece.a));
+        for (int i = 0; i < count; ++i) out.emplace_back(piece.a + i / (count - 1.0) * (piece.b - piece.a));
         out.back() = piece.b;  // chains must close to the bit
         return out;
     }
     const Sweep sweep = sweep_of(piece);
     for (int i = 0; i < count; ++i) {
         const double angle = sweep.start + sweep.turn * i / (count - 1.0);
-        out.push_back(piece.centre + piece.radius * Vec2(std::cos(angle), std::sin(angle)));
+        out.emplace_back(piece.centre + piece.radius * Vec2(std::cos(angle), std::sin(angle)));
     }
     out.front() = piece.turn > 0 ? piece.a : piece.b;
     out.back() = piece.turn > 0 ? piece.b : piece.a;

@@ -46,9 +46,8 @@ constexpr std::size_t most_reported = 3;  // of one law for one subject
 
 void add_special_points(const Subject& subject, const sdf::Outline& pieces, double e, std::vector<Vec2>& out) {
     for (const double r : {0.0, 0.25, 0.5, 1.0, 1.5, 4.0})
-        for (const Vec2& direction : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1), Vec2(1, 1), Vec2(-1, 1), Vec2(-1, -1),
-                                      Vec2(1, -1)})
-            out.push_back(r * e * direction);
+        for (const Vec2& direction : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1), Vec2(1, 1), Vec2(-1, 1), Vec2(-1, -1), Vec2(1, -1)})
+            out.emplace_back(r * e * direction);
     out.emplace_back(1e-200, -1e-200);
     out.emplace_back(1e-17 * e, 1e-18 * e);
     for (const sdf::Piece& piece : pieces) {

@@ -127,7 +127,8 @@ void solid_is_on_the_left_of_its_outline(const Trial& trial) {
     const double step = 1e-5 * trial.extent;
     for (std::size_t i = 0; i < pieces.size(); i += pieces.size() / 24 + 1) {
         const std::vector<Vec2> along = points_along(pieces[i], 41);
-        const Vec2 p = along[20], chord = (pieces[i].turn < 0 ? -1 : 1) * (along[21] - along[19]);
+        const Vec2& p = along[20];
+        const Vec2 chord = (pieces[i].turn < 0 ? -1 : 1) * (along[21] - along[19]);
         double room = length(chord);
         for (const sdf::Piece& other : pieces)
             if (&other != &pieces[i]) room = std::min(room, distance_to_piece(p, other));

@@ -1,7 +1,6 @@
 // What the editor's tests share: a folder of real files, a commented table, and steps along a game.
 #pragma once
-#include <stdlib.h>
-
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
