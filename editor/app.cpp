@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "editor/widgets/screen_text.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
 #include "engine/io/png.h"
@@ -71,6 +72,15 @@ bool App::press_key(std::string_view key, bool down) {
     const int code = key_code(key);
     if (code >= 0) window_->on_key(code, down);
     return code >= 0;
+}
+
+std::optional<Vec2> App::find_words(std::string_view words) const {
+    const ScreenText* best = nullptr;
+    const std::vector<ScreenText> texts = screen_texts();
+    for (const ScreenText& text : texts)
+        if (text.text == words || (text.text.starts_with(words) && (!best || best->text != words))) best = &text;
+    if (!best) return {};
+    return Vec2(best->at.x + 0.5 * ImGui::CalcTextSize(best->text.c_str()).x, best->at.y + 0.5 * ImGui::GetFontSize());
 }
 
 void App::frame() {

@@ -39,7 +39,10 @@ public:
 
     // What scripts do goes through the window's own entry points.
     void move_mouse(const Vec2& pixel) override { window_->on_cursor(pixel.x(), pixel.y()); }
-    void press_mouse(bool down) override { window_->on_button(0, down); }
+    void press_mouse(int button, bool down) override { window_->on_button(button, down); }
+    void scroll(double notches) override { window_->on_scroll(0, notches); }
+    void type(unsigned character) override { window_->on_text(character); }
+    std::optional<Vec2> find_words(std::string_view words) const override;
     bool press_key(std::string_view key, bool down) override;
     /// Draws a frame without a tick and writes it as a PNG.
     Result<bool> screenshot(const std::string& path) override;

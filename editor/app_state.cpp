@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "editor/edit_tools.h"
+#include "editor/handlers.h"
+#include "editor/handles.h"
 #include "editor/pick.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
@@ -147,7 +149,17 @@ void frame_selection(AppState& state) {
     else run(state, "view.all");
 }
 
-void delete_selection(AppState& state) { take(state, remove_nodes(state.document, state.selection.nodes())); }
+/// Of a polygon or path one point, where one was clicked; else the selected nodes.
+void delete_selection(AppState& state) {
+    const std::optional<PickedPoint> point = std::exchange(state.point, std::nullopt);
+    if (point && state.selection.primary() == point->node && state.selection.nodes().size() == 1) {
+        const std::optional<SetField> fewer = without_point(state.document.scene(), point->node, point->field, point->component);
+        if (fewer) edit(state, *fewer, fmt::format("Delete a point of {}", state.document.scene().path(point->node)));
+        else say(state, "the node needs this point: select the node alone to delete it", true);
+        return;
+    }
+    take(state, remove_nodes(state.document, state.selection.nodes()));
+}
 
 /// Copies lie a little beside what they were made of, so that both are seen.
 constexpr double beside = 0.02;  // metres
@@ -258,12 +270,6 @@ bool has_selection(const AppState& s) { return !s.selection.empty() && !s.docume
 
 bool can_paste(const AppState& s) { return !s.document.previewing() && (!s.clipboard.empty() || s.ask_clipboard); }
 
-struct Handler {
-    std::string_view action;
-    bool (*enabled)(const AppState&);
-    void (*run)(AppState&);
-};
-
 bool always(const AppState&) { return true; }
 bool has_prompt(const AppState& s) { return s.prompt.has_value(); }
 bool has_dialog(const AppState& s) { return !s.dialog_action.empty(); }
@@ -327,8 +333,10 @@ constexpr Handler handlers[] = {
 };
 
 const Handler& handler_of(std::string_view action) {
-    const auto found = std::find_if(std::begin(handlers), std::end(handlers), [&](const Handler& h) { return h.action == action; });
-    assert(found != std::end(handlers) && "every action of the table has a handler");
+    const auto is_it = [&](const Handler& handler) { return handler.action == action; };
+    if (const auto found = std::find_if(std::begin(handlers), std::end(handlers), is_it); found != std::end(handlers)) return *found;
+    const auto found = std::find_if(arrange_handlers().begin(), arrange_handlers().end(), is_it);
+    assert(found != arrange_handlers().end() && "every action of the table has a handler");
     return *found;
 }
 
@@ -378,6 +386,7 @@ void select(AppState& state, NodeId node) { select(state, node ? std::vector{nod
 
 void select(AppState& state, std::vector<NodeId> nodes) {
     state.selection = Selection(std::move(nodes));
+    state.point.reset();
     state.entered = compound_around(state.document.scene(), state.selection.primary());
 }
 

@@ -29,6 +29,15 @@ struct Nudge {
     std::shared_ptr<const SourceText> left;  ///< the text they left
 };
 
+/// What the mouse does over the table. select: all of it, with the handles of a node; move: nodes only; turn and scale: the selection.
+enum class Tool : unsigned char { select, move, turn, scale };
+
+/// One point of a node's: what was clicked last, and what Delete takes out.
+struct PickedPoint {
+    NodeId node;
+    int field = 0, component = 0;
+};
+
 struct AppState {
     AppState(std::shared_ptr<const Catalog> catalog, Document document);
 
@@ -37,6 +46,9 @@ struct AppState {
     Session session;
     View view;
     Selection selection;
+    Tool tool = Tool::select;
+    bool snapping = true;       ///< drags stop where edges and middles of others are
+    std::optional<PickedPoint> point{};
     NodeId entered;             ///< the operator or part whose children are clicked and dragged now; none: the table's own nodes
     std::optional<Vec2> pointer{};  ///< where the mouse is over the table, metres
     Nudge nudge{};

@@ -45,8 +45,6 @@ double multiple(double n, double step) {
     return decimals > 15 ? n * step : *parse_number(to_text(n * step, decimals));
 }
 
-double snapped(double x, double step) { return multiple(std::round(x / step), step); }
-
 int at_field(const Node& node) {
     const std::optional<int> field = node.type->find_field("at");
     return field ? *field : -1;
@@ -56,33 +54,34 @@ bool locked(const Scene& scene, const Node& node) {
     return node.get<bool>("locked") || (node.parent && locked(scene, *scene.find(node.parent)));
 }
 
-/// The value nearest to `target` on the way from `from` (which is valid) that why_invalid() lets pass, in whole steps.
-double last_valid(const Scene& scene, SetField edit, int component_index, double from, double target, double step) {
-    const auto valid = [&](double x) {
-        edit.value = with_component(edit.value, component_index, x);
-        return !why_invalid(scene, edit);
-    };
-    if (valid(target)) return target;
+}  // namespace
+
+double on_grid(double x, double step) {
+    if (!(step > 0)) step = finest_grid;
+    return multiple(std::round(x / step), step);
+}
+
+double nearest_allowed(const std::function<bool(double)>& allowed, double from, double target, double step) {
+    if (allowed(target)) return target;
     const double sign = target < from ? -1 : 1;
-    const auto on_the_way = [&](double n) { return snapped(from + sign * n * step, step); };
+    const auto on_the_way = [&](double n) { return on_grid(from + sign * n * step, step); };
     double good = 0, bad = std::ceil(std::fabs(target - from) / step);
     while (bad - good > 1) {
         const double middle = std::floor(0.5 * (good + bad));
-        (valid(on_the_way(middle)) ? good : bad) = middle;
+        (allowed(on_the_way(middle)) ? good : bad) = middle;
     }
     return good == 0 ? from : on_the_way(good);
 }
 
-}  // namespace
-
-SetField moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2& world_delta, double grid) {
+SetField moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2& world_delta, const Vec2& grid) {
     const Node& node = *scene.find(id);
     const Similarity parent_from_world = node.parent ? world_from_local(scene, node.parent).inverse() : Similarity{};
     const Vec2 delta = parent_from_world.scale * parent_from_world.direction(world_delta);
-    const double step = grid > 0 ? grid : finest_grid;
+    const bool turned = parent_from_world.sine != 0;
+    const Vec2 steps = (turned ? square_grid(grid.minCoeff()) : grid).cwiseMax(finest_grid);
     Vec2 at = at_before;
     for (int axis = 0; axis < 2; ++axis)
-        if (std::fabs(delta[axis]) >= 0.5 * step) at[axis] = snapped(at_before[axis] + delta[axis], step);
+        if (std::fabs(delta[axis]) >= 0.5 * steps[axis]) at[axis] = on_grid(at_before[axis] + delta[axis], steps[axis]);
     return {id, at_field(node), at, true};
 }
 
@@ -100,7 +99,7 @@ bool NodeDrag::begin(const Document& document, std::span<const Held> nodes, cons
 
 bool NodeDrag::begin(const Document& document, NodeId node, const Vec2& world) { return begin(document, std::array{Held{node}}, world); }
 
-std::optional<std::string> NodeDrag::update(Document& document, const Vec2& world, double grid, bool axis_lock) {
+std::optional<std::string> NodeDrag::update(Document& document, const Vec2& world, const Vec2& grid, bool axis_lock) {
     Vec2 delta = world - world_before_;
     if (axis_lock) delta[std::fabs(delta.x()) < std::fabs(delta.y()) ? 0 : 1] = 0;
     for (const Held& held : held_) {
@@ -129,7 +128,7 @@ std::optional<std::string> move_by(Document& document, std::span<const NodeId> n
     for (const NodeId node : nodes) held.push_back({node});
     NodeDrag drag;
     if (!drag.begin(document, held, {0, 0})) return "nothing that can be moved is selected";
-    if (auto why = drag.update(document, world_delta, grid)) {
+    if (auto why = drag.update(document, world_delta, square_grid(grid))) {
         drag.cancel(document);
         return why;
     }
@@ -188,8 +187,12 @@ void Scrub::update(Document& document, double pixels, bool fine, bool coarse) {
     const double steps = std::round(pixels / (integer ? pixels_per_integer : 1));
     if (steps == 0 && !document.previewing()) return;
     SetField edit{node_, field_, before_, true};
-    const double target = steps == 0 ? from : snapped(from + steps * step, step);
-    edit.value = with_component(before_, component_, last_valid(document.scene(), edit, component_, from, target, step));
+    const double target = steps == 0 ? from : on_grid(from + steps * step, step);
+    const auto allowed = [&](double x) {
+        edit.value = with_component(before_, component_, x);
+        return !why_invalid(document.scene(), edit);
+    };
+    edit.value = with_component(before_, component_, nearest_allowed(allowed, from, target, step));
     document.preview(edit);
 }
 

@@ -2,6 +2,7 @@
 // commits once at its end. No window, no ImGui.
 #pragma once
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,9 +16,12 @@ namespace pinfield::editor {
 /// 0: no grid, but still whole hundredths of a millimetre, so that files stay readable.
 inline constexpr double default_grid = 0.001;
 
-/// The edit that moves a node by a world vector: its `at`, in the parent's frame, on the grid (of that frame, metres).
-/// A coordinate that does not move keeps its bits. `at_before`: where the drag began.
-SetField moved(const Scene& scene, NodeId node, const Vec2& at_before, const Vec2& world_delta, double grid);
+/// Metres, along the world's axes.
+inline Vec2 square_grid(double step) { return {step, step}; }
+
+/// The edit that moves a node by a world vector: its `at`, in the parent's frame, on the grid (of that frame; the finer of both where that is
+/// turned). A coordinate that does not move keeps its bits. `at_before`: where the drag began.
+SetField moved(const Scene& scene, NodeId node, const Vec2& at_before, const Vec2& world_delta, const Vec2& grid);
 
 /// A node in the hand. `own_from_hand`: its motion in the world where the hand moves by a vector (a copy under a mirror goes the other way).
 struct Held {
@@ -34,15 +38,21 @@ public:
     bool begin(const Document& document, std::span<const Held> nodes, const Vec2& world);
     bool begin(const Document& document, NodeId node, const Vec2& world);
     /// Why the node did not follow, or nothing. `axis_lock` keeps the smaller of both components still.
-    std::optional<std::string> update(Document& document, const Vec2& world, double grid, bool axis_lock = false);
+    std::optional<std::string> update(Document& document, const Vec2& world, const Vec2& grid, bool axis_lock = false);
     /// One undo step; why it was refused, or nothing.
     std::optional<std::string> end(Document& document);
     void cancel(Document& document);
+    const std::vector<Held>& held() const { return held_; }
 
 private:
     std::vector<Held> held_;
     Vec2 world_before_{0, 0};
 };
+
+/// The multiple of `step` nearest to x, as the shortest decimal text of it reads; without a step, whole hundredths of a millimetre.
+double on_grid(double x, double step);
+/// `target`, or else what is nearest to it on the way there from `from`, which is allowed, in whole steps.
+double nearest_allowed(const std::function<bool(double)>& allowed, double from, double target, double step);
 
 /// How many numbers a value is made of (2 of a vec2, two per point of a list), and each of them.
 int component_count(const Value& value);

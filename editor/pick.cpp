@@ -193,6 +193,20 @@ Hit grip_at(const AppState& state, NodeId entered, const Vec2& world, double sla
     return hits.empty() ? Hit{} : hits.front();
 }
 
+Similarity shown_from_local(const AppState& state, NodeId node) {
+    const Scene& scene = state.document.scene();
+    const Similarity world_from_node = world_from_local(scene, node);
+    const Program& program = state.session.program();
+    for (std::size_t i = 0; i < program.movers.size(); ++i) {
+        const Part& part = at(program.parts, program.movers[i].part);
+        if (part.origin == node || !scene.find(part.origin) || !scene.is_within(node, part.origin)) continue;
+        const Similarity world_from_part = world_from_local(scene, part.origin);
+        const Similarity mover_from_part{.scale = world_from_part.scale, .mirrored = world_from_part.mirrored};
+        return state.session.world_from_mover(static_cast<int>(i)) * mover_from_part * world_from_part.inverse() * world_from_node;
+    }
+    return world_from_node;
+}
+
 Box2 bounds_of(const AppState& state, NodeId node) {
     const Program& program = state.session.program();
     const std::set<NodeId> nodes = subtree(state.document.scene(), node);
@@ -205,6 +219,22 @@ Box2 bounds_of(const AppState& state, NodeId node) {
     if (found.is_record()) return {{0, 0}, program.size};
     const Vec2 place = world_from_local(state.document.scene(), node).offset;
     return Box2{place, place}.grown(place_radius);
+}
+
+std::vector<Box2> boxes_beside(const AppState& state, const std::vector<NodeId>& without) {
+    const Program& program = state.session.program();
+    std::set<NodeId> left_out;
+    for (const NodeId node : without) left_out.merge(subtree(state.document.scene(), node));
+    std::vector<Box2> out{{{0, 0}, program.size}};
+    const auto offer = [&](const Field& field, const Similarity& world_from_field) {
+        for (const Solid& solid : field.solids)
+            if (!solid.is_domain && !solid.bounds.is_empty() && solid.bounds.is_finite() && !left_out.count(solid.origin))
+                out.push_back(world_from_field * solid.bounds);
+    };
+    offer(program.fixed, {});
+    for (std::size_t i = 0; i < program.movers.size(); ++i) offer(program.movers[i].field, state.session.world_from_mover(static_cast<int>(i)));
+    for (const Sensor& sensor : program.sensors) offer(sensor.field, {});
+    return out;
 }
 
 std::vector<NodeId> nodes_in(const AppState& state, const Box2& world, bool touching) {

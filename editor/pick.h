@@ -30,8 +30,15 @@ std::vector<Hit> hits_within(const AppState& state, NodeId parent, const Vec2& w
 /// What a hand at this point takes hold of: a child of `entered` where that has one there, else the first of hits_at().
 Hit grip_at(const AppState& state, NodeId entered, const Vec2& world, double slack);
 
+/// A node's frame -> where it stands in the world now: in a mover, where that has turned or slid to. Of what mirrors, repeats or warps show of
+/// it, the original.
+Similarity shown_from_local(const AppState& state, NodeId node);
+
 /// World box around a node and all below it as it runs now; at least its place, 12 mm about. May be infinite.
 Box2 bounds_of(const AppState& state, NodeId node);
+
+/// World boxes of all solids and regions but the domain's and those in `without`, as they stand now; and the table's own.
+std::vector<Box2> boxes_beside(const AppState& state, const std::vector<NodeId>& without);
 
 /// What hits_at() can find, in a box of the world: wholly, or (`touching`) in part.
 std::vector<NodeId> nodes_in(const AppState& state, const Box2& world, bool touching);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "editor/edit_tools.h"
+#include "editor/structure_tools.h"
 #include "engine/core/at.h"
 #include "engine/core/numbers.h"
 #include "engine/io/quantity.h"
@@ -16,13 +17,7 @@ namespace pinfield::editor {
 namespace {
 
 constexpr int settling_frames = 3;
-constexpr int drag_frames = 12;
 constexpr int drawn_frames = 2;  ///< until a picture shows what was done before it
-
-std::string_view word_of(ScriptStep::Kind kind) {
-    constexpr std::array<std::string_view, 8> words = {"action", "set", "drag", "key", "wait", "select", "screenshot", "expect"};
-    return at(words, kind);
-}
 
 struct Target {
     const Node* node = nullptr;
@@ -111,6 +106,7 @@ ScriptRunner::ScriptRunner(SourceText source, Script script)
     : source_(std::move(source)), script_(std::move(script)), frames_to_settle_(settling_frames) {}
 
 int ScriptRunner::before_frame(AppState& state, ScriptHost& host) {
+    ++frames_since_click_;
     if (frames_to_settle_ > 0) {
         --frames_to_settle_;
         return 0;
@@ -134,17 +130,22 @@ ScriptRunner::Frame ScriptRunner::run(const ScriptStep& step, AppState& state, S
     switch (step.kind) {
         case Kind::action: return run_action(step, state);
         case Kind::set: return run_set(step, state);
-        case Kind::drag: return run_drag(step, state, host);
-        case Kind::key: return run_key(step, host);
         case Kind::wait: return run_wait(step.ticks, host);
         case Kind::screenshot: return run_screenshot(step, host);
         case Kind::expect: return run_expect(step, state);
-        case Kind::select: {
-            const Node* node = state.document.scene().find(step.name);
-            if (!node) return fail(fmt::format("there is no node {}", step.name));
-            select(state, node->id);
-            return {};
-        }
+        case Kind::insert:
+        case Kind::paste:
+        case Kind::remove:
+        case Kind::move:
+        case Kind::wrap:
+        case Kind::unwrap:
+        case Kind::rename:
+        case Kind::select: return run_structure(step, state);
+        case Kind::click:
+        case Kind::drag:
+        case Kind::scroll:
+        case Kind::type:
+        case Kind::key: return run_hand(step, state, host);
     }
     return {};
 }
@@ -166,30 +167,38 @@ ScriptRunner::Frame ScriptRunner::run_set(const ScriptStep& step, AppState& stat
     return {};
 }
 
-/// Hover, press, move, rest, release: each seen by a frame of its own, as a hand would do it.
-ScriptRunner::Frame ScriptRunner::run_drag(const ScriptStep& step, const AppState& state, ScriptHost& host) {
-    const Box2 viewport{state.view.origin, state.view.origin + state.view.size};
-    for (const Vec2& point : {step.from, step.to})
-        if (!viewport.contains(state.view.pixel_from_world(point)))
-            return fail(fmt::format("[{}, {}] is not in the viewport", to_text(point.x()), to_text(point.y())));
-    const auto move_to = [&](double along) { host.move_mouse(state.view.pixel_from_world(step.from + along * (step.to - step.from))); };
-    const int moves = frame_ - 1;
-    if (frame_ == 0) move_to(0);
-    else if (frame_ == 1) host.press_mouse(true);
-    else if (moves <= drag_frames) move_to(static_cast<double>(moves) / drag_frames);
-    else if (moves == drag_frames + 2) host.press_mouse(false);
-    else if (moves == drag_frames + 4) return {};
-    return host.ticks_per_frame();
+std::optional<std::vector<NodeId>> ScriptRunner::nodes_of(const ScriptStep& step, const AppState& state) {
+    std::vector<NodeId> out;
+    for (const std::string& name : step.nodes.empty() ? std::vector{step.node} : step.nodes) {
+        const Node* node = state.document.scene().find(name);
+        if (!node) return fail(fmt::format("there is no node {}", name)), std::nullopt;
+        out.push_back(node->id);
+    }
+    return out;
 }
 
-/// The frame after the release takes no ticks: it only lets the window see it.
-ScriptRunner::Frame ScriptRunner::run_key(const ScriptStep& step, ScriptHost& host) {
-    if (frame_ == 0 && !host.press_key(step.name, true))
-        return fail(fmt::format("there is no key {}; keys are named as in inputs: Z, Space, LeftShift", step.name));
-    if (const Frame frame = run_wait(std::max(step.ticks, 1), host)) return frame;
-    if (std::exchange(released_, !released_)) return {};
-    host.press_key(step.name, false);
-    return 0;
+ScriptRunner::Frame ScriptRunner::run_structure(const ScriptStep& step, AppState& state) {
+    using Kind = ScriptStep::Kind;
+    const Scene& scene = state.document.scene();
+    const Node* parent = step.parent.empty() ? nullptr : scene.find(step.parent);
+    if (!parent && !step.parent.empty()) return fail(fmt::format("there is no node {}", step.parent));
+    const NodeId into = parent ? parent->id : NodeId{};
+    const Spot spot{into, step.index < 0 ? static_cast<int>(scene.children_of(into).size()) : step.index};
+    if (step.kind == Kind::insert || step.kind == Kind::paste) {
+        take(state, paste_text(state.document, step.value, step.kind == Kind::insert ? spot : spot_after(scene, state.selection.nodes()), {}));
+        return state.message_is_problem ? fail(state.message) : Frame{};
+    }
+    const auto nodes = nodes_of(step, state);
+    if (!nodes) return {};
+    const NodeType* type = step.kind == Kind::wrap ? state.catalog->find(step.name) : nullptr;
+    if (step.kind == Kind::wrap && !type) return fail(fmt::format("no node is called {}", step.name));
+    if (step.kind == Kind::select) return select(state, *nodes), Frame{};
+    if (step.kind == Kind::remove) take(state, remove_nodes(state.document, *nodes));
+    else if (step.kind == Kind::unwrap) take(state, unwrap_nodes(state.document, *nodes));
+    else if (step.kind == Kind::wrap) take(state, wrap_nodes(state.document, *nodes, *type));
+    else if (step.kind == Kind::move) take(state, move_nodes(state.document, *nodes, spot, true));
+    else take(state, rename_node(state.document, nodes->front(), step.name));
+    return state.message_is_problem ? fail(state.message) : Frame{};
 }
 
 ScriptRunner::Frame ScriptRunner::run_wait(int ticks, const ScriptHost& host) {
@@ -212,7 +221,8 @@ ScriptRunner::Frame ScriptRunner::run_expect(const ScriptStep& step, const AppSt
 ScriptRunner::Frame ScriptRunner::fail(const std::string& why) {
     const ScriptStep& step = script_.steps[index_];
     const LineColumn place = source_.line_column(step.where.span.begin);
-    failure_ = fmt::format("{}:{}:{}: step {} ({}): {}", source_.name(), place.line, place.column, index_ + 1, word_of(step.kind), why);
+    failure_ = fmt::format("{}:{}:{}: step {} ({}): {}", source_.name(), place.line, place.column, index_ + 1,
+                           word_of(step.kind), why);
     return {};
 }
 

@@ -15,7 +15,11 @@ class ScriptHost {
 public:
     virtual ~ScriptHost() = default;
     virtual void move_mouse(const Vec2& pixel) = 0;  ///< window pixels, y down
-    virtual void press_mouse(bool down) = 0;         ///< the left button
+    virtual void press_mouse(int button, bool down) = 0;  ///< 0 left, 1 right, 2 middle
+    virtual void scroll(double notches) = 0;
+    virtual void type(unsigned character) = 0;
+    /// The middle of words on the screen, in window pixels: of a text that is just so, else of one that begins so, the topmost.
+    virtual std::optional<Vec2> find_words(std::string_view words) const = 0;
     virtual bool press_key(std::string_view key, bool down) = 0;  ///< false when no keyboard has it
     /// Writes the frame drawn last as a PNG.
     virtual Result<bool> screenshot(const std::string& path) = 0;
@@ -43,12 +47,20 @@ private:
     Frame run(const ScriptStep& step, AppState& state, ScriptHost& host);
     Frame run_action(const ScriptStep& step, AppState& state);
     Frame run_set(const ScriptStep& step, AppState& state);
+    Frame run_structure(const ScriptStep& step, AppState& state);
+    Frame run_hand(const ScriptStep& step, const AppState& state, ScriptHost& host);
+    Frame run_click(const ScriptStep& step, const AppState& state, ScriptHost& host);
     Frame run_drag(const ScriptStep& step, const AppState& state, ScriptHost& host);
+    Frame run_scroll(const ScriptStep& step, const AppState& state, ScriptHost& host);
+    Frame run_type(const ScriptStep& step, ScriptHost& host);
     Frame run_key(const ScriptStep& step, ScriptHost& host);
     Frame run_wait(int ticks, const ScriptHost& host);
     Frame run_screenshot(const ScriptStep& step, ScriptHost& host);
     Frame run_expect(const ScriptStep& step, const AppState& state);
     Frame fail(const std::string& why);
+    bool hold(const ScriptStep& step, ScriptHost& host, bool down);
+    bool find(const ScriptPoint& point, const AppState& state, const ScriptHost& host, Vec2& pixel);
+    std::optional<std::vector<NodeId>> nodes_of(const ScriptStep& step, const AppState& state);
 
     SourceText source_;
     Script script_;
@@ -57,6 +69,9 @@ private:
     int frame_ = 0;          ///< frames that the present step has had
     int ticks_run_ = 0;      ///< ticks that the present step has had
     bool released_ = false;  ///< the key of the present step
+    Vec2 from_{0, 0}, to_{0, 0};  ///< window pixels, of the present step
+    Vec2 clicked_{-1e9, -1e9};    ///< where the last click was, and
+    int frames_since_click_ = 0;  ///< how long ago: two near each other are no double click
     int frames_to_settle_;   ///< before the first step: the window lays its panels out
 };
 

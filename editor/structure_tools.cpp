@@ -148,7 +148,7 @@ Outcome duplicate_nodes(Document& document, std::span<const NodeId> nodes, const
         if (plan.refusal()) break;
         const NodeId copy = copies.back();
         if (length(world_delta) > 0)
-            plan.add(moved(plan.scene(), copy, plan.scene().find(copy)->get<Vec2>("at"), world_delta, default_grid));
+            plan.add(moved(plan.scene(), copy, plan.scene().find(copy)->get<Vec2>("at"), world_delta, square_grid(default_grid)));
     }
     return commit(document, plan, label_of(document.scene(), "Duplicate", chosen), copies);
 }
@@ -178,32 +178,35 @@ Outcome paste_text(Document& document, const std::string& text, const Spot& spot
         Vec2 middle(0, 0);
         for (const NodeId id : pasted) middle += world_from_local(plan.scene(), id).offset / static_cast<double>(pasted.size());
         for (const NodeId id : pasted)
-            plan.add(moved(plan.scene(), id, plan.scene().find(id)->get<Vec2>("at"), *centre - middle, default_grid));
+            plan.add(moved(plan.scene(), id, plan.scene().find(id)->get<Vec2>("at"), *centre - middle, square_grid(default_grid)));
     }
     return commit(document, plan, fmt::format("Paste {}", counted(pasted.size(), plan.scene().path(pasted.front()))), pasted);
 }
 
-Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, const Vec2& world) {
-    Scene workshop(document.scene().shared_catalog());
+Subtree new_nodes(const std::shared_ptr<const Catalog>& catalog, const NodeType& type) {
+    Scene workshop(catalog);
     const NodeId root = workshop.add(type).id;
     for (int i = 0; i < type.meta.children.min; ++i) workshop.add(*workshop.catalog().find(i % 2 == 0 ? "circle" : "box"), root);
     Node& node = *workshop.find(root);
-    const Similarity parent_from_world = world_of(document.scene(), spot.parent).inverse();
-    const Vec2 local = parent_from_world * world;
     for (std::size_t i = 0; i < node.fields.size(); ++i) {
         const FieldType& field = type.fields[i];
         FieldSlot& slot = node.fields[i];
-        if (field.key == "at") slot = {Vec2(std::round(local.x() * 1e3) / 1e3, std::round(local.y() * 1e3) / 1e3), true, {}};
-        else if (field.meta.required) slot.is_explicit = true;
+        if (field.meta.required) slot.is_explicit = true;
         // As few corners of a regular polygon as the node's contracts take.
         for (int corners = 3; field.meta.required && field.kind == FieldKind::points && corners < 9; ++corners) {
             slot.value = regular_polygon(corners);
             if (!broken_contract(node)) break;
         }
     }
+    return workshop.copy(root);
+}
+
+Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, const Vec2& world) {
     EditPlan plan(document.scene());
-    Subtree nodes = plan.scene().with_new_ids(workshop.copy(root));
+    Subtree nodes = plan.scene().with_new_ids(new_nodes(document.scene().shared_catalog(), type));
     const NodeId id = nodes.front().id;
+    const Vec2 local = world_of(document.scene(), spot.parent).inverse() * world;
+    at(nodes.front().fields, *type.find_field("at")) = {Vec2(std::round(local.x() * 1e3) / 1e3, std::round(local.y() * 1e3) / 1e3), true, {}};
     plan.add(Insert{spot.parent, spot.index, std::move(nodes)});
     return commit(document, plan, fmt::format("Add {}", type.key()), {id});
 }

@@ -1,9 +1,11 @@
 // What an author does to the structure of a table, as edits that make one undo step: add, delete, duplicate, cut and paste, wrap and
 // unwrap, reorder, rename. No window, no ImGui.
 #pragma once
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "editor/document.h"
@@ -13,7 +15,7 @@ namespace pinfield::editor {
 /// Edits that go on from one another: each is judged by the scene that those before it leave.
 class EditPlan {
 public:
-    explicit EditPlan(const Scene& scene) : scene_(scene) {}
+    explicit EditPlan(Scene scene) : scene_(std::move(scene)) {}
 
     const Scene& scene() const { return scene_; }
     std::span<const Edit> edits() const { return edits_; }
@@ -55,7 +57,9 @@ Result<std::string> copied_text(const Document& document, std::span<const NodeId
 /// The nodes of a YAML text. `centre`: where in the world the middle of their places goes; none: where the text says. An id that is taken
 /// gets a number behind it.
 Outcome paste_text(Document& document, const std::string& text, const Spot& spot, const std::optional<Vec2>& centre);
-/// A new node with default values at a place of the world.
+/// A node with default values and the fewest children that it takes, outside any scene.
+Subtree new_nodes(const std::shared_ptr<const Catalog>& catalog, const NodeType& type);
+/// Such a node at a place of the world.
 Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, const Vec2& world);
 
 /// Nodes with all in them into a new node of `type`, where the first of them is. Their places in the world stay.

@@ -10,6 +10,7 @@ namespace pinfield::editor {
 namespace {
 
 constexpr double pick_slack_pixels = 4;
+constexpr double snap_pixels = 5;
 constexpr float drag_threshold = 3;
 
 double slack_of(const AppState& state) { return pick_slack_pixels / state.view.pixels_per_metre; }
@@ -29,6 +30,8 @@ void enter(AppState& state, const Ui& ui) {
 
 void press(AppState& state, Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (!io.KeyAlt && !io.KeyShift && press_handle(state, ui)) return;
+    state.point.reset();
     ui.pressed = grip_at(state, state.entered, ui.mouse_world, slack_of(state));
     ui.pressed_at = ui.mouse_world;
     ui.pressing = true;
@@ -36,6 +39,21 @@ void press(AppState& state, Ui& ui) {
     ui.double_click = ImGui::IsMouseDoubleClicked(0);
     if (ui.double_click && !io.KeyShift) return enter(state, ui);
     if (ui.pressed.node && !io.KeyShift && !state.selection.contains(ui.pressed.node)) select(state, ui.pressed.node);
+}
+
+/// With the tools for it, a drag turns or scales what is selected, wherever it begins.
+bool begin_transform(AppState& state, Ui& ui) {
+    if (state.tool != Tool::turn && state.tool != Tool::scale) return false;
+    const std::vector<NodeId>& nodes = state.selection.nodes();
+    const TransformKind kind = state.tool == Tool::turn ? TransformKind::turn : TransformKind::scale;
+    return ui.transform.begin(state.document, nodes, kind, pivot_of(state.document.scene(), nodes), ui.pressed_at);
+}
+
+void drag_transform(AppState& state, Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool turns = ui.transform.kind() == TransformKind::turn;
+    const double step = turns ? (io.KeyShift ? 15 : 1) : io.KeyShift ? 0.1 : 0.01;
+    tell(state, ui.transform.update(state.document, ui.mouse_world, io.KeyCtrl ? 0 : step));
 }
 
 /// What goes along when the node under the mouse is dragged: with others selected, all of them.
@@ -51,6 +69,7 @@ std::vector<Held> nodes_in_hand(const AppState& state, const Hit& pressed) {
 }
 
 void begin_drag(AppState& state, Ui& ui) {
+    if (begin_transform(state, ui)) return;
     if (!ui.pressed.node) {
         ui.marquee = true;
         return;
@@ -65,6 +84,33 @@ void begin_drag(AppState& state, Ui& ui) {
         if (!ui.copies) return;
     }
     ui.drag.begin(state.document, held, ui.pressed_at);
+    std::vector<NodeId> nodes;
+    ui.magnets = {};
+    for (const Held& one : ui.drag.held()) {
+        nodes.push_back(one.node);
+        ui.magnets.box_before = ui.magnets.box_before.merged(bounds_of(state, one.node));
+    }
+    ui.magnets.others = boxes_beside(state, nodes);
+}
+
+/// The nodes follow the hand, on the grid, or where edges and middles meet those of others.
+void drag_nodes(AppState& state, Ui& ui) {
+    const ImGuiIO& io = ImGui::GetIO();
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    Vec2 grid = square_grid(io.KeyCtrl ? 0 : default_grid), hand = ui.mouse_world;
+    ui.magnets.guides.clear();
+    if (state.snapping && !io.KeyCtrl && ui.pressed.own_from_hand.isIdentity()) {
+        Vec2 delta = hand - ui.pressed_at;
+        if (io.KeyShift) delta[std::fabs(delta.x()) < std::fabs(delta.y()) ? 0 : 1] = 0;
+        const Box2& before = ui.magnets.box_before;
+        Snap held = snap({before.lo + delta, before.hi + delta}, ui.magnets.others, snap_pixels / state.view.pixels_per_metre);
+        hand = ui.pressed_at + delta + held.push;
+        for (const int axis : {0, 1})
+            if (held.axis[axis]) grid[axis] = 0;
+        ui.magnets.guides = std::move(held.guides);
+    }
+    // The same drag may have been taken back by Esc: then the preview stays away until the next press.
+    tell(state, ui.drag.update(state.document, hand, grid, io.KeyShift));
 }
 
 /// From left to right: what lies wholly in it; from right to left: what it touches.
@@ -87,7 +133,11 @@ void click(AppState& state, const Ui& ui) {
 }
 
 void release(AppState& state, Ui& ui) {
-    if (ui.drag.active()) {
+    if (ui.handle_drag.active()) {
+        tell(state, ui.handle_drag.end(state.document));
+    } else if (ui.transform.active()) {
+        tell(state, ui.transform.end(state.document));
+    } else if (ui.drag.active()) {
         const std::size_t before = state.document.undo_steps();
         tell(state, ui.drag.end(state.document));
         if (ui.copies && state.document.undo_steps() > before) state.document.join_steps();
@@ -98,6 +148,7 @@ void release(AppState& state, Ui& ui) {
     }
     ui.pressing = ui.marquee = ui.copies = false;
     ui.pressed = {};
+    ui.magnets = {};
 }
 
 void left_button(AppState& state, Ui& ui) {
@@ -106,15 +157,15 @@ void left_button(AppState& state, Ui& ui) {
         press(state, ui);
     }
     if (!ImGui::IsItemActive()) {
-        if (ui.pressing) release(state, ui);
+        if (ui.pressing || ui.handle_drag.active()) release(state, ui);
         return;
     }
+    if (io.MouseDown[0] && ui.handle_drag.active()) return drag_handle(state, ui);
     if (!io.MouseDown[0] || !ui.pressing) return;
-    if (!ui.drag.active() && !ui.marquee && ImGui::IsMouseDragging(0, drag_threshold)) begin_drag(state, ui);
-    if (!ui.drag.active()) return;
-    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-    // The same drag may have been taken back by Esc: then the preview stays away until the next press.
-    tell(state, ui.drag.update(state.document, ui.mouse_world, io.KeyCtrl ? 0 : default_grid, io.KeyShift));
+    const bool drags = ui.drag.active() || ui.transform.active() || ui.marquee;
+    if (!drags && ImGui::IsMouseDragging(0, drag_threshold)) begin_drag(state, ui);
+    if (ui.drag.active()) drag_nodes(state, ui);
+    if (ui.transform.active()) drag_transform(state, ui);
 }
 
 /// A right click that was no pan asks for the menu of what lies under the mouse.
@@ -136,7 +187,7 @@ void pan_and_zoom(AppState& state, Ui& ui) {
     if (ui.viewport_hovered && io.MouseWheel != 0) view.zoom_at(ui.mouse, std::pow(1.18, static_cast<double>(io.MouseWheel)));
     const bool on_nothing = ui.pressing && !ui.pressed.node;
     const bool wants = io.MouseDown[2] || io.MouseDown[1] || (io.MouseDown[0] && io.KeyAlt && on_nothing);
-    if (ImGui::IsItemActive() && wants && !ui.drag.active()) ui.panning = true;
+    if (ImGui::IsItemActive() && wants && !ui.drag.active() && !ui.handle_drag.active()) ui.panning = true;
     if (!wants) ui.panning = false;
     if (!ui.panning) return;
     ui.pressing = ui.marquee = false;
@@ -153,7 +204,8 @@ void table_mouse(AppState& state, Ui& ui) {
     right_button(state, ui);
     pan_and_zoom(state, ui);
     if (!ui.panning) left_button(state, ui);
-    if (ui.viewport_hovered && !ui.panning) ui.hovered = grip_at(state, state.entered, ui.mouse_world, slack_of(state)).node;
+    const bool on_handle = ui.handle_drag.active() || handle_under_mouse(state, ui) >= 0;
+    if (ui.viewport_hovered && !ui.panning && !on_handle) ui.hovered = grip_at(state, state.entered, ui.mouse_world, slack_of(state)).node;
     if (ImGui::BeginPopup("##node_menu")) {
         if (ui.under_mouse.size() > 1) {
             text_in(ui.theme.small, palette::quiet, "Under the mouse");
@@ -170,7 +222,10 @@ void table_mouse(AppState& state, Ui& ui) {
 }
 
 bool cancel_drag(AppState& state, Ui& ui) {
-    const bool any = ui.drag.active() || ui.marquee;
+    const bool any = ui.drag.active() || ui.marquee || ui.handle_drag.active() || ui.transform.active();
+    ui.handle_drag.cancel(state.document);
+    ui.transform.cancel(state.document);
+    ui.magnets = {};
     if (ui.drag.active()) {
         ui.drag.cancel(state.document);
         if (ui.copies) state.document.undo();

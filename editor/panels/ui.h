@@ -5,8 +5,11 @@
 
 #include "editor/app_state.h"
 #include "editor/edit_tools.h"
+#include "editor/handles.h"
 #include "editor/pick.h"
+#include "editor/snap.h"
 #include "editor/theme/theme.h"
+#include "editor/transform.h"
 #include "editor/widgets/icons.h"
 
 namespace pinfield::editor {
@@ -35,6 +38,20 @@ struct PathDialog {
     std::vector<std::string> folders, files;  ///< of `folder`, sorted
 };
 
+/// The handles of the selected node, as long as its values are these.
+struct Handles {
+    NodeId node{};
+    std::vector<Value> values{};
+    std::vector<Handle> all{};
+};
+
+/// What dragged nodes may stop at, and the box they had when the drag began.
+struct Magnets {
+    Box2 box_before{};
+    std::vector<Box2> others{};
+    std::vector<Guide> guides{};  ///< that hold them now
+};
+
 struct Ui {
     Theme theme;
     // Design pixels.
@@ -47,6 +64,10 @@ struct Ui {
     std::string filter;     ///< of the hierarchy
 
     NodeDrag drag;
+    Magnets magnets;
+    TransformDrag transform;
+    Handles handles;
+    HandleDrag handle_drag;
     Hit pressed;            ///< under the mouse when its button went down; becomes a drag once it moves
     Vec2 pressed_at{0, 0};  ///< world
     bool double_click = false;
@@ -92,6 +113,13 @@ Problems problems_of(const AppState& state);
 /// What the mouse does over the table, which is the last item; and the end of it (Esc): whether there was a drag.
 void table_mouse(AppState& state, Ui& ui);
 bool cancel_drag(AppState& state, Ui& ui);
+
+// Handles of the selected node: found anew when it changed; under the mouse (-1: none); taken hold of; dragged; drawn.
+void look_for_handles(const AppState& state, Ui& ui);
+int handle_under_mouse(const AppState& state, const Ui& ui);
+bool press_handle(AppState& state, Ui& ui);
+void drag_handle(AppState& state, Ui& ui);
+void draw_handles(const AppState& state, const Ui& ui, ImDrawList& list);
 
 // Rows of menus: an action; what can be added; what the selection can be put into; all that can be done with the selected nodes.
 void action_item(AppState& state, const Theme& theme, std::string_view name);

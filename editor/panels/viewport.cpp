@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -72,6 +74,31 @@ void draw_marquee(const AppState& state, const Ui& ui, ImDrawList& list) {
     list.AddRect({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}, ink(palette::accent));
 }
 
+/// Why what is dragged stops where it does.
+void draw_guides(const AppState& state, const Ui& ui, ImDrawList& list) {
+    for (const Guide& guide : ui.magnets.guides)
+        list.AddLine(im(state.view.pixel_from_world(guide.a)), im(state.view.pixel_from_world(guide.b)), ink(palette::amber), std::max(1.0f, ui.theme.px(1)));
+}
+
+/// What the selection turns or scales about, and how far it has come.
+void draw_transform(const AppState& state, const Ui& ui, ImDrawList& list) {
+    const bool turns = state.tool == Tool::turn;
+    if ((!turns && state.tool != Tool::scale) || state.selection.empty()) return;
+    const Theme& theme = ui.theme;
+    const Vec2 pivot = ui.transform.active() ? ui.transform.pivot() : pivot_of(state.document.scene(), state.selection.nodes());
+    const ImVec2 c = im(state.view.pixel_from_world(pivot));
+    const float r = theme.px(64), s = theme.px(6), width = std::max(1.0f, theme.px(1.5f));
+    const ImU32 color = ink(palette::accent);
+    list.AddLine({c.x - s, c.y}, {c.x + s, c.y}, color, width);
+    list.AddLine({c.x, c.y - s}, {c.x, c.y + s}, color, width);
+    if (turns) list.AddCircle(c, r, ink(palette::accent.faded(0.7f)), 64, width);
+    else list.AddRect({c.x - r, c.y - r}, {c.x + r, c.y + r}, ink(palette::accent.faded(0.7f)), 0, 0, width);
+    if (!ui.transform.active()) return;
+    list.AddLine(c, im(ui.mouse), color, width);
+    const std::string text = turns ? fmt::format("{:.4g}\u00b0", ui.transform.amount()) : fmt::format("x {:.4g}", ui.transform.amount());
+    list.AddText({c.x + theme.px(10), c.y + theme.px(8)}, ink(palette::text), text.c_str());
+}
+
 /// Where the hand is: the table, or the inside of an operator or part; a click goes back there.
 void breadcrumb(AppState& state, Ui& ui, ImVec2 position) {
     if (!state.entered) return;
@@ -104,6 +131,9 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     draw_marks(state, ui, list);
     if (ui.hovered && !state.selection.contains(ui.hovered) && !ui.drag.active()) name_tag(state, theme, list, ui.hovered, palette::text);
     for (const NodeId node : state.selection.nodes()) name_tag(state, theme, list, node, palette::accent);
+    draw_handles(state, ui, list);
+    draw_transform(state, ui, list);
+    draw_guides(state, ui, list);
     if (ui.marquee) draw_marquee(state, ui, list);
     scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
     list.PopClipRect();
@@ -135,6 +165,7 @@ void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     else if (old_size != state.view.size) state.view.pixels_per_metre *= std::min(size.y / old_size.y(), 1e3);
     ui.frame_wanted = false;
 
+    look_for_handles(state, ui);
     ImGui::InvisibleButton("##table", size,
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();

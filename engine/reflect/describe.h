@@ -34,8 +34,8 @@ constexpr Limit from(double v) { return {v, false}; }
 constexpr Limit to(double v) { return {v, false}; }
 
 /// What a field's value stands for beyond its kind. id: the node's own name. material, input, layer: names of such. count: how many
-/// copies an operation makes, which costs as many.
-enum class Meaning : unsigned char { plain, color, id, material, input, layer, count };
+/// copies an operation makes, which costs as many. place: a point, or points, of the node's own frame, for a hand to take hold of.
+enum class Meaning : unsigned char { plain, color, id, material, input, layer, count, place };
 
 /// What an edit of the field changes of a compiled table. structure: what is counted over the whole table (names, layers). shape: the
 /// node and what it belongs to. drawing: only how it looks. nothing: what is for people and tools.

@@ -64,7 +64,7 @@ TEST_CASE("a dragged node lands on the grid, and the coordinate that did not mov
     Document document = opened(folder);
     NodeDrag drag;
     REQUIRE(drag.begin(document, id_of(document, "shelf"), {0.20, 0.31}));
-    for (int i = 1; i <= 10; ++i) CHECK_FALSE(drag.update(document, {0.20 + 0.0123 * i, 0.31001}, default_grid));
+    for (int i = 1; i <= 10; ++i) CHECK_FALSE(drag.update(document, {0.20 + 0.0123 * i, 0.31001}, square_grid(default_grid)));
     CHECK_FALSE(drag.end(document));
     CHECK(identical(document.scene().find("shelf")->value("at"), Value(Vec2(0.373, 0.3))));
     CHECK_THAT(document.source().text(), Catch::Contains("at: [0.373, 300mm]"));
@@ -75,7 +75,7 @@ TEST_CASE("a dragged node lands on the grid, and the coordinate that did not mov
 TEST_CASE("without a grid a node still lands on hundredths of a millimetre") {
     const Folder folder;
     const Document document = opened(folder);
-    const SetField edit = moved(document.scene(), id_of(document, "pop"), {0.25, 0.70}, {0.0123456789, 0}, 0);
+    const SetField edit = moved(document.scene(), id_of(document, "pop"), {0.25, 0.70}, {0.0123456789, 0}, square_grid(0));
     CHECK(identical(edit.value, Value(Vec2(0.26235, 0.70))));
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("a node inside a turned and scaled group follows the hand in the world
     const Vec2 before = world_place(document, "post");
     NodeDrag drag;
     REQUIRE(drag.begin(document, id_of(document, "post"), before));
-    CHECK_FALSE(drag.update(document, before + Vec2(0.03, -0.02), default_grid));
+    CHECK_FALSE(drag.update(document, before + Vec2(0.03, -0.02), square_grid(default_grid)));
     CHECK_FALSE(drag.end(document));
     const Vec2 moved_by = world_place(document, "post") - before;
     CHECK(moved_by.x() == Approx(0.03).margin(1e-12));
@@ -98,7 +98,7 @@ TEST_CASE("a drag with an axis lock moves along the greater component only") {
     Document document = opened(folder);
     NodeDrag drag;
     REQUIRE(drag.begin(document, id_of(document, "pop"), {0.25, 0.70}));
-    CHECK_FALSE(drag.update(document, {0.30, 0.72}, default_grid, true));
+    CHECK_FALSE(drag.update(document, {0.30, 0.72}, square_grid(default_grid), true));
     CHECK(document.scene().find("pop")->get<Vec2>("at") == Vec2(0.3, 0.70));
     drag.cancel(document);
     CHECK(document.scene().find("pop")->get<Vec2>("at") == Vec2(0.25, 0.70));
@@ -110,7 +110,7 @@ TEST_CASE("a click is no drag, and what is locked or a record does not move") {
     Document document = opened(folder);
     NodeDrag drag;
     REQUIRE(drag.begin(document, id_of(document, "pop"), {0.25, 0.70}));
-    CHECK_FALSE(drag.update(document, {0.2501, 0.70}, default_grid));
+    CHECK_FALSE(drag.update(document, {0.2501, 0.70}, square_grid(default_grid)));
     CHECK_FALSE(document.previewing());
     CHECK_FALSE(drag.end(document));
     CHECK_FALSE(document.can_undo());

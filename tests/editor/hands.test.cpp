@@ -57,7 +57,7 @@ TEST_CASE("the half under the hand follows the hand, on either side of a mirror"
         const Vec2 before = place(state, "half");
         NodeDrag drag;
         REQUIRE(drag.begin(state.document, std::array{Held{hit.node, hit.own_from_hand}}, hand));
-        CHECK_FALSE(drag.update(state.document, hand + moved_by, default_grid));
+        CHECK_FALSE(drag.update(state.document, hand + moved_by, square_grid(default_grid)));
         const Vec2 delta = place(state, "half") - before;
         CHECK(delta.x() == Approx(side * moved_by.x()));
         CHECK(delta.y() == Approx(moved_by.y()));
@@ -94,7 +94,7 @@ TEST_CASE("whatever shows copies of a child or bends it, the one under the hand 
             ++tried;
             NodeDrag drag;
             REQUIRE(drag.begin(state.document, std::array{Held{disc, hit.own_from_hand}}, hand));
-            REQUIRE_FALSE(drag.update(state.document, hand + delta, 0));
+            REQUIRE_FALSE(drag.update(state.document, hand + delta, square_grid(0)));
             advance(state, 0);
             // The disc's own distance at the hand is what it was, up to the grid of the file and what a bent way is not straight.
             const std::vector<Hit> after = hits_within(state, op, hand + delta, 1);

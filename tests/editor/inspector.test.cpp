@@ -6,7 +6,7 @@
 
 #include "editor/panels/ui.h"
 #include "tests/conformance/spectacles.h"
-#include "tests/editor/screen_text.h"
+#include "editor/widgets/screen_text.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;

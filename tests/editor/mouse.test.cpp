@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "editor/panels/ui.h"
-#include "tests/editor/screen_text.h"
+#include "editor/widgets/screen_text.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -29,7 +29,8 @@ scene:
 /// Tree to the left, table to the right, and a mouse.
 class Desk {
 public:
-    Desk() : state_(opened_state(folder_, pair_of_discs)) {
+    explicit Desk(const std::string& table = pair_of_discs) : state_(opened_state(folder_, table)) {
+        state_.snapping = false;
         ImGui::CreateContext();
         ImGui::GetIO().IniFilename = nullptr;
         ImGui::GetIO().DisplaySize = {1000, 800};
@@ -254,4 +255,72 @@ TEST_CASE("F2 types an id in the tree, also where the filter hid the row") {
     desk.frame();
     CHECK(desk.state().document.scene().find("bumper"));
     CHECK_FALSE(desk.ui().renaming.node);
+}
+
+TEST_CASE("a handle is dragged before the node it lies on, as one step; Esc takes it back") {
+    Desk desk;
+    const std::string before = desk.text();
+    desk.click(desk.on_table(0.3, 0.7));
+    desk.rest();
+    desk.drag(desk.on_table(0.34, 0.7), desk.on_table(0.37, 0.7));
+    CHECK(desk.place("a") == Vec2(0.3, 0.7));
+    CHECK(desk.state().document.scene().find("a")->get<double>("radius") == Approx(0.07).margin(2e-3));
+    CHECK(desk.state().document.undo_steps() == 1);
+    desk.state().document.undo();
+    CHECK(desk.text() == before);
+    desk.rest();
+    desk.move_to(desk.on_table(0.34, 0.7));
+    desk.button(0, true);
+    desk.move_to(desk.on_table(0.4, 0.7));
+    CHECK(desk.state().document.previewing());
+    CHECK(cancel_drag(desk.state(), desk.ui()));
+    desk.button(0, false);
+    CHECK(desk.text() == before);
+    CHECK_FALSE(desk.state().document.previewing());
+}
+
+TEST_CASE("with the move tool no handle is in the way; the turn tool turns what is selected, wherever the hand is") {
+    Desk desk;
+    desk.click(desk.on_table(0.3, 0.7));
+    desk.rest();
+    run(desk.state(), "tool.move");
+    desk.drag(desk.on_table(0.34, 0.7), desk.on_table(0.37, 0.7));
+    CHECK(desk.place("a").x() == Approx(0.33).margin(2e-3));
+    desk.rest();
+    run(desk.state(), "tool.turn");
+    const Vec2 centre = desk.place("a");
+    desk.drag(desk.on_table(centre.x(), 0.9), desk.on_table(centre.x() - 0.2, 0.7));
+    CHECK(desk.state().document.scene().find("a")->get<double>("turn") == Approx(90).margin(1));
+    CHECK(desk.place("a") == centre);
+    CHECK(desk.selected({"a"}));
+    desk.rest();
+    run(desk.state(), "tool.scale");
+    desk.drag(desk.on_table(centre.x(), 0.8), desk.on_table(centre.x(), 0.85));
+    CHECK(desk.state().document.scene().find("a")->get<double>("scale") == Approx(1.5).margin(0.02));
+    CHECK(desk.state().document.undo_steps() == 3);
+    desk.rest();
+    desk.click(desk.on_table(0.8, 0.5));
+    CHECK(desk.selected({}));
+}
+
+TEST_CASE("a drag snaps to what stands in line, unless Ctrl is held or snapping is off") {
+    const auto dropped_at = [](bool snapping, bool control) {
+        Desk desk;
+        desk.state().snapping = snapping;
+        ImGui::GetIO().KeyCtrl = control;
+        desk.drag(desk.on_table(0.3, 0.7), desk.on_table(0.3 + 0.0432, 0.7 - 0.1 + 0.0033));
+        ImGui::GetIO().KeyCtrl = false;
+        return desk.place("a");
+    };
+    // Disc b stands at 0.5, 0.7; the lower discs' middles lie at 0.3, 0.3; the middle of the table at 0.5, 0.5.
+    const Vec2 free = dropped_at(false, true);
+    CHECK(free.y() == Approx(0.6033).margin(1e-3));
+    const auto dropped_near = [](bool snapping) {
+        Desk desk;
+        desk.state().snapping = snapping;
+        desk.drag(desk.on_table(0.3, 0.7), desk.on_table(0.6, 0.504));
+        return desk.place("a");
+    };
+    CHECK(dropped_near(true).y() == 0.5);
+    CHECK(dropped_near(false).y() == Approx(0.504).margin(1e-3));
 }

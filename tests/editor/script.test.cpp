@@ -21,13 +21,16 @@ public:
     explicit FakeWindow(AppState& state) : state_(state) {}
 
     void move_mouse(const Vec2& pixel) override { events_.push_back([this, pixel] { mouse_ = state_.view.world_from_pixel(pixel); }); }
-    void press_mouse(bool down) override {
+    void press_mouse(int, bool down) override {
         events_.push_back([this, down] {
             if (down) state_.selection.set(pick(state_, mouse_, 0.002));
             if (down && !state_.selection.empty()) drag_.begin(state_.document, state_.selection.primary(), mouse_);
             if (!down) drag_.end(state_.document);
         });
     }
+    void scroll(double) override {}
+    void type(unsigned) override {}
+    std::optional<Vec2> find_words(std::string_view) const override { return {}; }
     bool press_key(std::string_view key, bool down) override {
         events_.push_back([this, name = std::string(key), down] { editor::press_key(state_, name, down); });
         return key != "Nonsense";
@@ -42,7 +45,7 @@ public:
     void frame(int ticks) {
         for (const auto& event : events_) event();
         events_.clear();
-        if (drag_.active()) drag_.update(state_.document, mouse_, default_grid);
+        if (drag_.active()) drag_.update(state_.document, mouse_, square_grid(default_grid));
         advance(state_, ticks);
         most_ticks = std::max(most_ticks, ticks);
     }
@@ -199,4 +202,30 @@ TEST_CASE("the same script gives the same bits") {
         return state.session.world().state_hash();
     };
     CHECK(hash() == hash());
+}
+
+TEST_CASE("a script inserts, wraps, moves, renames, unwraps, removes and pastes, and stops where that cannot be") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    FakeWindow window(state);
+    CHECK(play(state, window,
+               "- {insert: {yaml: 'star: {id: s}', parent: corner, index: 0}}\n"
+               "- {insert: {yaml: 'circle: {id: c, at: [0.2, 0.2], radius: 10mm}'}}\n"
+               "- {wrap: {nodes: [shelf, c], in: union}}\n"
+               "- {rename: {node: s, id: star}}\n"
+               "- {move: {node: star, index: 0}}\n"
+               "- {select: [pop, bat]}\n"
+               "- {unwrap: corner}\n"
+               "- {remove: [nail, post]}\n"
+               "- {paste: 'circle: {id: p, radius: 5mm}'}\n") == "");
+    const Scene& scene = state.document.scene();
+    CHECK(scene.find(scene.roots().front())->name == "star");
+    CHECK(scene.find(scene.find("shelf")->parent)->type->key() == "union");
+    CHECK(scene.find("c")->parent == scene.find("shelf")->parent);
+    CHECK_FALSE(scene.find("corner"));
+    CHECK_FALSE(scene.find("nail"));
+    CHECK(scene.find("p"));
+    CHECK(play(state, window, "- {remove: nobody}\n").ends_with("there is no node nobody"));
+    CHECK(play(state, window, "- {insert: {yaml: 'circle: {radius: -1}'}}\n").starts_with("steps.yaml:1:4: step 1 (insert): "));
+    CHECK(play(state, window, "- {wrap: {nodes: pop, in: unon}}\n").ends_with("no node is called unon"));
 }

@@ -208,7 +208,7 @@ TEST_CASE("the same edits at the same ticks give the same bits") {
         NodeDrag drag;
         drag.begin(state.document, id_of(state.document, "pop"), {0.25, 0.5});
         for (int i = 0; i < 60; ++i) {
-            drag.update(state.document, {0.25 + 0.001 * i, 0.5}, default_grid);
+            drag.update(state.document, {0.25 + 0.001 * i, 0.5}, square_grid(default_grid));
             advance(state, 7);
         }
         drag.end(state.document);
@@ -230,7 +230,7 @@ TEST_CASE("a wall or bumper dragged over a rolling ball never swallows it") {
         REQUIRE(drag.begin(state.document, id_of(state.document, node), begin));
         for (int i = 1; i <= 10; ++i) {  // the hand follows the ball, so that the node lands on it
             const Vec2 ball = state.session.world().balls()[0].position;
-            REQUIRE_FALSE(drag.update(state.document, begin + 0.1 * i * (ball - begin), default_grid));
+            REQUIRE_FALSE(drag.update(state.document, begin + 0.1 * i * (ball - begin), square_grid(default_grid)));
             advance(state, 4);
         }
         REQUIRE_FALSE(drag.end(state.document));

@@ -56,13 +56,16 @@ struct CubicBezier {
 
     static constexpr auto describe() {
         using T = CubicBezier;
-        return shape<T>({.key = "cubic_bezier", .float_error = 5e-6, .doc = "Wall with round ends along a cubic Bezier curve."},
-                        fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve starts."}),
-                               field("b", &T::b, {.unit = Unit::metre, .step = 0.001, .doc = "The curve sets out towards here."}),
-                               field("c", &T::c, {.unit = Unit::metre, .step = 0.001, .doc = "The curve arrives from here."}),
-                               field("d", &T::d, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve ends."}),
-                               field("thickness", &T::thickness,
-                                     {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
+        return shape<T>(
+            {.key = "cubic_bezier", .float_error = 5e-6, .doc = "Wall with round ends along a cubic Bezier curve."},
+            fields(
+                field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Where the curve starts."}),
+                field("b", &T::b,
+                      {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "The curve sets out towards here."}),
+                field("c", &T::c, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "The curve arrives from here."}),
+                field("d", &T::d, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Where the curve ends."}),
+                field("thickness", &T::thickness,
+                      {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
     }
 };
 

@@ -47,8 +47,8 @@ struct OrientedBox {
         using T = OrientedBox;
         return shape<T>(
             {.key = "oriented_box", .doc = "Straight wall from a to b with flat ends."},
-            fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .doc = "Middle of the first end."}),
-                   field("b", &T::b, {.unit = Unit::metre, .step = 0.001, .doc = "Middle of the second end."}),
+            fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Middle of the first end."}),
+                   field("b", &T::b, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Middle of the second end."}),
                    field("thickness", &T::thickness,
                          {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})),
             contract("a and b are apart", [](const auto& box) { return edge_between(box.a, box.b).length > 0; }));

@@ -19,15 +19,14 @@ struct OrientedVesica {
     void outline(Outline& out) const { draw_lens(out, {a.x, a.y}, {b.x, b.y}, 0.5 * width); }
 
     static constexpr auto describe() {
-        return shape<OrientedVesica>({.key = "oriented_vesica", .doc = "Lens from tip to tip."},
-                                     fields(field("a", &OrientedVesica::a, {.unit = Unit::metre, .step = 0.001, .doc = "First tip."}),
-                                            field("b", &OrientedVesica::b, {.unit = Unit::metre, .step = 0.001, .doc = "Second tip."}),
-                                            field("width", &OrientedVesica::width,
-                                                  {.unit = Unit::metre, .min = above(0), .step = 0.001,
-                                                   .doc = "Full width in the middle."})),
-                                     contract("0.01 |b - a| <= width <= |b - a|", [](const auto& vesica) {
-                                         return vesica.width >= 0.01 * vesica.apart() && vesica.width <= vesica.apart();
-                                     }));
+        return shape<OrientedVesica>(
+            {.key = "oriented_vesica", .doc = "Lens from tip to tip."},
+            fields(field("a", &OrientedVesica::a, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "First tip."}),
+                   field("b", &OrientedVesica::b, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Second tip."}),
+                   field("width", &OrientedVesica::width,
+                         {.unit = Unit::metre, .min = above(0), .step = 0.001, .doc = "Full width in the middle."})),
+            contract("0.01 |b - a| <= width <= |b - a|",
+                     [](const auto& vesica) { return vesica.width >= 0.01 * vesica.apart() && vesica.width <= vesica.apart(); }));
     }
 };
 

@@ -114,7 +114,9 @@ struct Path {
         }
         const Path<double> middle_line{{points.xy, points.count}, pieces, false, 0};
         return is_plain_stroke([&](double t) { return curve_at(all, t); }, top_speed * static_cast<double>(all.size()), 0.5 * thickness,
-                               [&](const Vec2& p) { return norm(middle_line.offset_from_foot({p.x(), p.y()})); },
+                               [&](const Vec2& p) {
+                                   return norm(middle_line.offset_from_foot({p.x(), p.y()}));
+                               },
                                closes_smoothly(all) ? StrokeEnds::joined : StrokeEnds::round);
     }
     /// No piece runs along another: inside and outside lie on different sides of every one.
@@ -164,6 +166,7 @@ struct Path {
                          {.unit = Unit::metre,
                           .step = 0.001,
                           .required = true,
+                          .meaning = Meaning::place,
                           .doc = "The start, then what each piece takes: a line its end; an arc a point on its way and its end; a "
                                  "quadratic piece a control point and its end, a cubic one two of them and its end."}),
                    field("pieces", &Path::pieces,
@@ -181,12 +184,11 @@ struct Path {
                      [](const auto& path) { return path.for_each_piece([](const PieceView&) {}) == path.points.count - 1; }),
             contract("at most 1024 points", [](const auto& path) { return path.points.count <= max_points; }),
             contract("a wall has a thickness", [](const auto& path) { return path.fill || path.thickness > 0; }),
-            contract("an arc of more than half a turn is at most 100 times as wide as its three points are apart",
-                     [](const auto& path) {
-                         bool holds = true;
-                         path.for_each_piece([&](const PieceView& piece) { holds = holds && (!piece.is_arc() || is_drawn_well(piece)); });
-                         return holds;
-                     }));
+            contract("an arc of more than half a turn is at most 100 times as wide as its three points are apart", [](const auto& path) {
+                bool holds = true;
+                path.for_each_piece([&](const PieceView& piece) { holds = holds && (!piece.is_arc() || is_drawn_well(piece)); });
+                return holds;
+            }));
     }
 };
 

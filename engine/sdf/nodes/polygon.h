@@ -44,18 +44,19 @@ struct Polygon {
     static constexpr auto describe() {
         return shape<Polygon>({.key = "polygon", .doc = "Region within a closed chain of straight edges, convex or not."},
                               fields(field("points", &Polygon::points,
-                                           {.unit = Unit::metre, .step = 0.001, .required = true,
+                                           {.unit = Unit::metre,
+                                            .step = 0.001,
+                                            .required = true,
+                                            .meaning = Meaning::place,
                                             .doc = "Corners in order, clockwise or counter-clockwise; the last joins the first."})),
                               contract("at least 3 points", [](const auto& polygon) { return polygon.points.count >= 3; }),
                               contract("at most 4096 points", [](const auto& polygon) { return polygon.points.count <= max_points; }),
                               contract("the points enclose an area",
                                        [](const auto& polygon) {
-                                           return polygon.points.count < 3 ||
-                                                  doubled_area(polygon.points.xy, polygon.points.count) != 0;
+                                           return polygon.points.count < 3 || doubled_area(polygon.points.xy, polygon.points.count) != 0;
                                        }),
                               contract("no two edges cross or run along each other", [](const auto& polygon) {
-                                  return polygon.points.count > max_points ||
-                                         is_simple_chain(polygon.points.xy, polygon.points.count);
+                                  return polygon.points.count > max_points || is_simple_chain(polygon.points.xy, polygon.points.count);
                               }));
     }
 };

@@ -23,9 +23,7 @@ struct QuadraticBezier {
     Vec2 point_at(double t) const {
         return Vec2(a.x + t * (2 * (b.x - a.x) + t * (a.x - 2 * b.x + c.x)), a.y + t * (2 * (b.y - a.y) + t * (a.y - 2 * b.y + c.y)));
     }
-    Vec2 velocity_at(double t) const {
-        return 2 * Vec2((1 - t) * (b.x - a.x) + t * (c.x - b.x), (1 - t) * (b.y - a.y) + t * (c.y - b.y));
-    }
+    Vec2 velocity_at(double t) const { return 2 * Vec2((1 - t) * (b.x - a.x) + t * (c.x - b.x), (1 - t) * (b.y - a.y) + t * (c.y - b.y)); }
     /// No point of the wall is nearer to two parts of the middle line than half a thickness: the bend is wide enough, and so are
     /// the gaps across which an end sees another part square on. A parabola turns by less than half a turn, so no
     /// two inner parts see each other like that; and if it turns by a quarter at most, no part sees an end.
@@ -67,9 +65,13 @@ struct QuadraticBezier {
         using T = QuadraticBezier;
         return shape<T>(
             {.key = "quadratic_bezier", .float_error = 2e-6, .doc = "Wall with round ends along a quadratic Bezier curve."},
-            fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve starts."}),
-                   field("b", &T::b, {.unit = Unit::metre, .step = 0.001, .doc = "The curve sets out towards here and arrives from here."}),
-                   field("c", &T::c, {.unit = Unit::metre, .step = 0.001, .doc = "Where the curve ends."}),
+            fields(field("a", &T::a, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Where the curve starts."}),
+                   field("b", &T::b,
+                         {.unit = Unit::metre,
+                          .step = 0.001,
+                          .meaning = Meaning::place,
+                          .doc = "The curve sets out towards here and arrives from here."}),
+                   field("c", &T::c, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Where the curve ends."}),
                    field("thickness", &T::thickness,
                          {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
     }

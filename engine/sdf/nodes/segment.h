@@ -46,10 +46,12 @@ struct Segment {
     static constexpr auto describe() {
         return shape<Segment>(
             {.key = "segment", .doc = "Straight wall from a to b with round ends."},
-            fields(field("a", &Segment::a, {.unit = Unit::metre, .step = 0.001, .doc = "Centre of the first end."}),
-                   field("b", &Segment::b, {.unit = Unit::metre, .step = 0.001, .doc = "Centre of the second end."}),
-                   field("thickness", &Segment::thickness,
-                         {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
+            fields(
+                field("a", &Segment::a, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Centre of the first end."}),
+                field("b", &Segment::b,
+                      {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Centre of the second end."}),
+                field("thickness", &Segment::thickness,
+                      {.unit = Unit::metre, .min = above(0), .step = 0.0005, .doc = "Full width of the wall."})));
     }
 };
 

@@ -34,10 +34,11 @@ struct Triangle {
     }
 
     static constexpr auto describe() {
-        return shape<Triangle>({.key = "triangle", .doc = "Triangle with corners a, b, c in either order."},
-                               fields(field("a", &Triangle::a, {.unit = Unit::metre, .step = 0.001, .doc = "First corner."}),
-                                      field("b", &Triangle::b, {.unit = Unit::metre, .step = 0.001, .doc = "Second corner."}),
-                                      field("c", &Triangle::c, {.unit = Unit::metre, .step = 0.001, .doc = "Third corner."})));
+        return shape<Triangle>(
+            {.key = "triangle", .doc = "Triangle with corners a, b, c in either order."},
+            fields(field("a", &Triangle::a, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "First corner."}),
+                   field("b", &Triangle::b, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Second corner."}),
+                   field("c", &Triangle::c, {.unit = Unit::metre, .step = 0.001, .meaning = Meaning::place, .doc = "Third corner."})));
     }
 };
 

@@ -1,23 +1,12 @@
-// What a person would read on the screen: the texts of a Dear ImGui frame, taken back from the triangles it would draw.
-#pragma once
-#include <imgui.h>
+#include "editor/widgets/screen_text.h"
 
 #include <cmath>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
-namespace pinfield::editor::test {
+namespace pinfield::editor {
 
-/// Neighbouring characters on one line, and where they are, in pixels.
-struct ScreenText {
-    std::string text;  ///< characters beyond ASCII as '?'
-    ImVec2 at{0, 0};
-};
-
-/// Call after ImGui::Render(). A character is the textured rectangle whose texture coordinates are one glyph's of the atlas.
-inline std::vector<ScreenText> screen_texts() {
+std::vector<ScreenText> screen_texts() {
     struct Glyph {
         const ImFontGlyph* glyph;
         const ImFont* font;
@@ -54,4 +43,4 @@ inline std::vector<ScreenText> screen_texts() {
     return out;
 }
 
-}  // namespace pinfield::editor::test
+}  // namespace pinfield::editor

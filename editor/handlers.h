@@ -1,0 +1,19 @@
+// What stands behind the table of actions: when each can run, and what it does. Files that do things have a list of their own.
+#pragma once
+#include <span>
+#include <string_view>
+
+#include "editor/app_state.h"
+
+namespace pinfield::editor {
+
+struct Handler {
+    std::string_view action;
+    bool (*enabled)(const AppState&);
+    void (*run)(AppState&);
+};
+
+/// Tools, alignment, mirroring: arrange.cpp.
+std::span<const Handler> arrange_handlers();
+
+}  // namespace pinfield::editor

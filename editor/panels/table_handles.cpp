@@ -1,0 +1,169 @@
+// The handles of the selected node, over the table: drawn, found under the mouse, dragged.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/panels/fields.h"
+#include "editor/panels/ui.h"
+#include "editor/pick.h"
+#include "engine/core/at.h"
+
+namespace pinfield::editor {
+namespace {
+
+constexpr double grip_pixels = 8;    ///< how near the mouse must come
+constexpr double least_pixels = 14;  ///< of a node on the screen: handles of smaller ones would hide it
+
+/// All that handles depend on: the values of a node and of what lies in it.
+std::vector<Value> values_of(const Scene& scene, NodeId id) {
+    std::vector<Value> out;
+    for (const Node& node : scene.copy(id))
+        for (const FieldSlot& slot : node.fields) out.push_back(slot.value);
+    return out;
+}
+
+bool all_identical(const std::vector<Value>& a, const std::vector<Value>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Value& x, const Value& y) { return identical(x, y); });
+}
+
+ImVec2 on_screen(const AppState& state, const Similarity& world_from_node, const Vec2& at) {
+    const Vec2 pixel = state.view.pixel_from_world(world_from_node * at);
+    return {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
+}
+
+void draw_square(ImDrawList& list, ImVec2 c, float r, ImU32 fill, ImU32 edge, float width) {
+    list.AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, fill, 1.5f);
+    list.AddRect({c.x - r, c.y - r}, {c.x + r, c.y + r}, edge, 1.5f, 0, width);
+}
+
+void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 color, float width) {
+    const float x = to.x - from.x, y = to.y - from.y, l = std::max(1e-3f, std::sqrt(x * x + y * y)), s = 4 * width;
+    const float ux = x / l, uy = y / l;
+    list.AddLine(from, to, color, width);
+    list.AddTriangleFilled(to, {to.x - 2 * s * ux - s * uy, to.y - 2 * s * uy + s * ux},
+                           {to.x - 2 * s * ux + s * uy, to.y - 2 * s * uy - s * ux}, color);
+}
+
+void draw_handle(const AppState& state, const Theme& theme, ImDrawList& list, const Similarity& world_from_node, const Handle& handle,
+                 bool hot, bool chosen) {
+    const ImVec2 c = on_screen(state, world_from_node, handle.at);
+    const float width = std::max(1.0f, theme.px(1.5f)), r = theme.px(hot ? 5 : 4);
+    const ImU32 fill = ink(hot || chosen ? palette::accent : palette::bar), edge = ink(hot && chosen ? palette::text : palette::accent);
+    switch (handle.kind) {
+        case HandleKind::place: draw_square(list, c, r, fill, edge, width); break;
+        case HandleKind::velocity:
+            draw_arrow(list, on_screen(state, world_from_node, {0, 0}), c, ink(hot ? palette::accent : palette::teal), width);
+            list.AddCircleFilled(c, 0.8f * r, fill);
+            list.AddCircle(c, 0.8f * r, edge, 0, width);
+            break;
+        case HandleKind::outline:
+            list.AddCircleFilled(c, r, fill);
+            list.AddCircle(c, r, edge, 0, width);
+            break;
+        case HandleKind::gap:
+            list.AddCircleFilled(c, 0.6f * r, ink(hot ? palette::accent : palette::bar.faded(0.8f)));
+            list.AddCircle(c, 0.6f * r, ink(palette::accent.faded(hot ? 1 : 0.6f)), 0, width);
+            break;
+    }
+}
+
+/// "radius 26 mm", "b 120, 35 mm": what a drag of the handle changes, as it is now.
+std::string words_for(const Node& node, const Handle& handle) {
+    const FieldType& field = at(node.type->fields, handle.field);
+    const Value& value = at(node.fields, handle.field).value;
+    if (handle.kind == HandleKind::gap) return "drag to add a point";
+    const int all = component_count(value), first = std::min(handle.component, all - 1);
+    const Shown x = shown(component(value, first), field.meta.unit);
+    const bool pair = handle.kind != HandleKind::outline && first + 1 < all;
+    const std::string which = handle.kind == HandleKind::outline && all == 2 ? (first == 0 ? " x" : " y")
+                              : all > 2                                      ? fmt::format(" {}", first / 2)
+                                                                             : std::string();
+    const std::string numbers = pair ? x.number + ", " + shown(component(value, first + 1), field.meta.unit).number : x.number;
+    return fmt::format("{}{}  {} {}", field.key, which, numbers, x.unit);
+}
+
+void draw_words(const Theme& theme, ImDrawList& list, ImVec2 beside, const std::string& text, const Tint& color) {
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str()), pad{theme.px(7), theme.px(3)};
+    const ImVec2 place{std::round(beside.x + theme.px(14)), std::round(beside.y - size.y - theme.px(10))};
+    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y},
+                       ink(palette::bar.faded(0.92f)), theme.px(4));
+    list.AddText(place, ink(color), text.c_str());
+}
+
+}  // namespace
+
+void look_for_handles(const AppState& state, Ui& ui) {
+    const Scene& scene = state.document.scene();
+    Handles& shown = ui.handles;
+    const bool one = state.selection.nodes().size() == 1 && state.tool == Tool::select;
+    const Node* node = one ? scene.find(state.selection.primary()) : nullptr;
+    if (!node || node->is_record() || node->get<bool>("locked") || ui.drag.active()) {
+        shown = {};
+        return;
+    }
+    std::vector<Value> values = values_of(scene, node->id);
+    if (shown.node == node->id && all_identical(values, shown.values)) return;
+    shown = {node->id, std::move(values), handles_of(scene, node->id)};
+}
+
+int handle_under_mouse(const AppState& state, const Ui& ui) {
+    if (!state.document.scene().find(ui.handles.node)) return -1;
+    const Similarity world_from_node = shown_from_local(state, ui.handles.node);
+    int best = -1;
+    double nearest = grip_pixels * ui.theme.scale;
+    for (std::size_t i = 0; i < ui.handles.all.size(); ++i) {
+        const double distance = length(state.view.pixel_from_world(world_from_node * ui.handles.all[i].at) - ui.mouse);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        best = static_cast<int>(i);
+    }
+    return best;
+}
+
+bool press_handle(AppState& state, Ui& ui) {
+    const int index = handle_under_mouse(state, ui);
+    if (index < 0) return false;
+    const Handle handle = at(ui.handles.all, index);
+    state.point.reset();
+    if (handle.kind == HandleKind::place) state.point = PickedPoint{ui.handles.node, handle.field, handle.component};
+    return ui.handle_drag.begin(state.document, ui.handles.node, handle,
+                                shown_from_local(state, ui.handles.node).inverse() * ui.mouse_world);
+}
+
+void drag_handle(AppState& state, Ui& ui) {
+    const NodeId node = ui.handle_drag.node();
+    if (!state.document.scene().find(node)) return;
+    const Vec2 p = shown_from_local(state, node).inverse() * ui.mouse_world;
+    tell(state, ui.handle_drag.update(state.document, p, ImGui::GetIO().KeyCtrl ? 0 : default_grid));
+}
+
+void draw_handles(const AppState& state, const Ui& ui, ImDrawList& list) {
+    const Node* node = state.document.scene().find(ui.handles.node);
+    if (!node || ui.handles.all.empty()) return;
+    const Similarity world_from_node = shown_from_local(state, node->id);
+    const Box2 box = bounds_of(state, node->id);
+    if (box.is_finite() && box.size().maxCoeff() * state.view.pixels_per_metre < least_pixels) return;
+    const bool dragging = ui.handle_drag.active();
+    const int hot = ui.viewport_hovered && !dragging ? handle_under_mouse(state, ui) : -1;
+    const auto is_dragged = [&](const Handle& handle) {
+        const Handle& held = ui.handle_drag.handle();
+        const int component_index = held.component + (held.kind == HandleKind::gap ? 2 : 0);
+        return dragging && handle.kind != HandleKind::gap && handle.field == held.field && handle.component == component_index;
+    };
+    for (std::size_t i = 0; i < ui.handles.all.size(); ++i) {
+        const Handle& handle = ui.handles.all[i];
+        const bool chosen = state.point && state.point->field == handle.field && state.point->component == handle.component &&
+                            handle.kind == HandleKind::place;
+        const bool lit = is_dragged(handle) || static_cast<int>(i) == hot;
+        if (dragging && !lit && handle.kind == HandleKind::gap) continue;
+        draw_handle(state, ui.theme, list, world_from_node, handle, lit, chosen);
+        if (!lit) continue;
+        const ImVec2 beside = on_screen(state, world_from_node, handle.at);
+        const auto& why = ui.handle_drag.stopped_by();
+        draw_words(ui.theme, list, beside, dragging && why ? words_for(*node, handle) + "    " + *why : words_for(*node, handle),
+                   dragging && why ? palette::amber : palette::text);
+    }
+}
+
+}  // namespace pinfield::editor
