@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "editor/edit_tools.h"
+#include "editor/keep_work.h"
 #include "editor/pick.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
@@ -15,11 +16,6 @@
 
 namespace pinfield::editor {
 namespace {
-
-void say(AppState& state, std::string message, bool problem = false) {
-    state.message = std::move(message);
-    state.message_is_problem = problem;
-}
 
 std::string name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
@@ -44,6 +40,7 @@ bool open_now(AppState& state, const std::string& path) {
     replace_document(state, std::move(*document));
     if (has_errors(state.document.diagnostics())) say(state, fmt::format("{} has problems", name_of(state.document)), true);
     else say(state, fmt::format("Opened {}", name_of(state.document)));
+    offer_work(state);
     return true;
 }
 
@@ -54,8 +51,10 @@ void ask_path(AppState& state, std::string action) {
 
 /// Goes on with what a prompt held up; unsaved work has been dealt with.
 void go_on(AppState& state, const Prompt& prompt) {
-    if (prompt.then_action == "app.quit") state.quit = true;
-    else if (prompt.then_action == "file.new") {
+    if (prompt.then_action == "app.quit") {
+        state.quit = true;
+        if (state.keeper) state.keeper->drop();
+    } else if (prompt.then_action == "file.new") {
         replace_document(state, Document::untitled(state.catalog));
         say(state, "A new table");
     } else if (prompt.path.empty()) ask_path(state, "file.open");
@@ -71,6 +70,7 @@ void guard(AppState& state, std::string then_action, std::string path = {}) {
 }
 
 bool save_now(AppState& state) {
+    keep_safe(state);  // whoever dies between the save and the end of the journal leaves both with the same text
     const Result<void> saved = state.document.save();
     if (saved) say(state, fmt::format("Saved {}", name_of(state.document)));
     else say(state, saved.error().message, true);
@@ -108,6 +108,7 @@ void accept_path(AppState& state) {
     const bool there = std::filesystem::exists(state.dialog_path, unknown);
     if (there && !std::filesystem::equivalent(state.dialog_path, state.document.path(), unknown) && std::exchange(state.replaces, state.dialog_path) != state.dialog_path)
         return say(state, fmt::format("There is a {} already. Save again to replace it, or give another name.", name_of(state.dialog_path)), true);
+    keep_safe(state);
     const Result<void> saved = state.document.save_as(state.dialog_path);
     if (!saved) return say(state, saved.error().message, true);
     say(state, fmt::format("Saved {}", name_of(state.document)));
@@ -266,6 +267,7 @@ struct Handler {
 
 bool always(const AppState&) { return true; }
 bool has_prompt(const AppState& s) { return s.prompt.has_value(); }
+bool has_recovery(const AppState& s) { return s.recovery.has_value(); }
 bool has_dialog(const AppState& s) { return !s.dialog_action.empty(); }
 
 constexpr Handler handlers[] = {
@@ -322,6 +324,9 @@ constexpr Handler handlers[] = {
     {"prompt.save", has_prompt, answer_save},
     {"prompt.discard", has_prompt, answer_discard},
     {"prompt.cancel", has_prompt, [](AppState& s) { s.prompt.reset(); }},
+    {"recover.restore", has_recovery, restore_work},
+    {"recover.discard", has_recovery, discard_work},
+    {"recover.later", has_recovery, put_work_off},
     {"dialog.accept", has_dialog, accept_path},
     {"dialog.cancel", has_dialog, close_dialog},
 };
@@ -336,6 +341,8 @@ const Handler& handler_of(std::string_view action) {
 bool blocked(const AppState& state, std::string_view action) {
     if (state.prompt) return !action.starts_with("prompt.");
     if (has_dialog(state)) return !action.starts_with("dialog.");
+    // Closing the window puts the offer off; the window frames its table, whatever it asks.
+    if (state.recovery) return !action.starts_with("recover.") && !action.starts_with("view.") && action != "app.quit";
     return false;
 }
 
@@ -354,6 +361,11 @@ bool enabled(const AppState& state, std::string_view action) {
 void run(AppState& state, std::string_view action) {
     if (enabled(state, action)) return handler_of(action).run(state);
     say(state, fmt::format("{}: not now", find_action(action)->label), true);
+}
+
+void say(AppState& state, std::string message, bool problem) {
+    state.message = std::move(message);
+    state.message_is_problem = problem;
 }
 
 void open_file(AppState& state, const std::string& path) {
@@ -395,6 +407,7 @@ void wrap_selection(AppState& state, const NodeType& type) {
 }
 
 void advance(AppState& state, int ticks) {
+    keep_safe(state);  // first of all: whatever comes of the edit, it is not lost
     state.session.follow(state.document);
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     if (!state.document.scene().find(state.entered)) state.entered = {};
@@ -406,6 +419,7 @@ void look_at_disk(AppState& state) {
     if (state.disk == DiskState::reloaded) {
         say(state, fmt::format("{} was changed outside and is shown anew", name_of(state.document)));
         state.disk = DiskState::same;
+        if (state.recovery) state.recovery = recovery_of(std::move(state.recovery->orphan), state.document);
     } else if (state.disk == DiskState::broken && before != DiskState::broken) {
         say(state, fmt::format("{} was changed outside and cannot be read; the last good table runs on", name_of(state.document)), true);
     } else if (state.disk == DiskState::conflict && before != DiskState::conflict) {
