@@ -77,6 +77,9 @@ const std::vector<Action>& all_actions() {
         {"prompt.save", "Save", "", "", "Save, then go on with what was asked."},
         {"prompt.discard", "Discard", "", "", "Go on without saving."},
         {"prompt.cancel", "Cancel", "", "", "Stay."},
+        {"recover.restore", "Restore", "", "", "Put the unsaved work that was found over the table, as one step."},
+        {"recover.discard", "Discard", "", "", "Remove the unsaved work that was found."},
+        {"recover.later", "Later", "", "", "Leave the unsaved work that was found for another time."},
         {"dialog.accept", "OK", "", "", "Take the path that was typed."},
         {"dialog.cancel", "Cancel", "", "", "Name no path."},
     };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <utility>
 
 #include "editor/widgets/screen_text.h"
@@ -16,6 +17,20 @@ namespace {
 constexpr double scripted_frame = 1.0 / 60;   ///< seconds, for what only moves on the screen
 constexpr double longest_frame = 0.05;        ///< after a stall the table goes on, it does not catch up
 constexpr double disk_period = 0.5;           ///< seconds between looks at the file
+
+/// What a signal handler may touch; the loop looks at it.
+volatile std::sig_atomic_t ending_signal = 0;
+
+/// The second one ends the process at once.
+void remember_signal(int number) {
+    ending_signal = number;
+    std::signal(number, SIG_DFL);
+}
+
+void listen_to_signals() {
+    for (const int number : {SIGTERM, SIGINT, SIGHUP})
+        if (std::signal(number, remember_signal) == SIG_IGN) std::signal(number, SIG_IGN);  // as nohup wants it
+}
 
 /// Actions name punctuation keys by the character on them.
 std::string character_of(std::string_view key) {
@@ -59,8 +74,11 @@ App::App(AppState state, std::unique_ptr<Window> window, const AppOptions& optio
     };
 }
 
-void App::run() {
-    while (!state_.quit) frame();
+int App::run() {
+    listen_to_signals();
+    while (!state_.quit && ending_signal == 0) frame();
+    if (!state_.quit && state_.keeper) state_.keeper->sync();
+    return state_.quit ? 0 : ending_signal;
 }
 
 std::string App::run(ScriptRunner script) {
@@ -137,7 +155,7 @@ void App::take_key(int code, bool down) {
         editor::press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
         return;
     }
-    const bool asks = state_.prompt || !state_.dialog_action.empty() || state_.show_help;
+    const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.show_help;
     const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node;
     if (asks) return;
     const bool plain = !control_ && !alt_;

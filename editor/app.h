@@ -30,8 +30,9 @@ public:
     void frame();
     /// One frame with so many ticks, whatever the clock says.
     void frame(int ticks);
-    /// Frames until the user quits.
-    void run();
+    /// Frames until the user quits: 0; or until the system wants the process to end (SIGTERM, SIGINT, SIGHUP): that signal. Unsaved work
+    /// is on disk then.
+    int run();
     /// Frames until the script is done: why it failed, or nothing.
     std::string run(ScriptRunner script);
 

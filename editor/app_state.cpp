@@ -10,6 +10,7 @@
 #include "editor/edit_tools.h"
 #include "editor/handlers.h"
 #include "editor/handles.h"
+#include "editor/keep_work.h"
 #include "editor/pick.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
@@ -17,11 +18,6 @@
 
 namespace pinfield::editor {
 namespace {
-
-void say(AppState& state, std::string message, bool problem = false) {
-    state.message = std::move(message);
-    state.message_is_problem = problem;
-}
 
 std::string name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
@@ -46,6 +42,7 @@ bool open_now(AppState& state, const std::string& path) {
     replace_document(state, std::move(*document));
     if (has_errors(state.document.diagnostics())) say(state, fmt::format("{} has problems", name_of(state.document)), true);
     else say(state, fmt::format("Opened {}", name_of(state.document)));
+    offer_work(state);
     return true;
 }
 
@@ -56,8 +53,10 @@ void ask_path(AppState& state, std::string action) {
 
 /// Goes on with what a prompt held up; unsaved work has been dealt with.
 void go_on(AppState& state, const Prompt& prompt) {
-    if (prompt.then_action == "app.quit") state.quit = true;
-    else if (prompt.then_action == "file.new") {
+    if (prompt.then_action == "app.quit") {
+        state.quit = true;
+        if (state.keeper) state.keeper->drop();
+    } else if (prompt.then_action == "file.new") {
         replace_document(state, Document::untitled(state.catalog));
         say(state, "A new table");
     } else if (prompt.path.empty()) ask_path(state, "file.open");
@@ -73,6 +72,7 @@ void guard(AppState& state, std::string then_action, std::string path = {}) {
 }
 
 bool save_now(AppState& state) {
+    keep_safe(state);  // whoever dies between the save and the end of the journal leaves both with the same text
     const Result<void> saved = state.document.save();
     if (saved) say(state, fmt::format("Saved {}", name_of(state.document)));
     else say(state, saved.error().message, true);
@@ -110,6 +110,7 @@ void accept_path(AppState& state) {
     const bool there = std::filesystem::exists(state.dialog_path, unknown);
     if (there && !std::filesystem::equivalent(state.dialog_path, state.document.path(), unknown) && std::exchange(state.replaces, state.dialog_path) != state.dialog_path)
         return say(state, fmt::format("There is a {} already. Save again to replace it, or give another name.", name_of(state.dialog_path)), true);
+    keep_safe(state);
     const Result<void> saved = state.document.save_as(state.dialog_path);
     if (!saved) return say(state, saved.error().message, true);
     say(state, fmt::format("Saved {}", name_of(state.document)));
@@ -149,129 +150,8 @@ void frame_selection(AppState& state) {
     else run(state, "view.all");
 }
 
-/// Of a polygon or path one point, where one was clicked; else the selected nodes.
-void delete_selection(AppState& state) {
-    const std::optional<PickedPoint> point = std::exchange(state.point, std::nullopt);
-    if (point && state.selection.primary() == point->node && state.selection.nodes().size() == 1) {
-        const std::optional<SetField> fewer = without_point(state.document.scene(), point->node, point->field, point->component);
-        if (fewer) edit(state, *fewer, fmt::format("Delete a point of {}", state.document.scene().path(point->node)));
-        else say(state, "the node needs this point: select the node alone to delete it", true);
-        return;
-    }
-    take(state, remove_nodes(state.document, state.selection.nodes()));
-}
-
-/// Copies lie a little beside what they were made of, so that both are seen.
-constexpr double beside = 0.02;  // metres
-
-void duplicate(AppState& state) {
-    take(state, duplicate_nodes(state.document, state.selection.nodes(), {beside, -beside}));
-}
-
-bool copy(AppState& state) {
-    Result<std::string> text = copied_text(state.document, state.selection.nodes());
-    if (!text) return say(state, text.error().message, true), false;
-    state.clipboard = std::move(*text);
-    if (state.give_clipboard) state.give_clipboard(state.clipboard);
-    say(state, "Copied");
-    return true;
-}
-
-void cut(AppState& state) {
-    if (copy(state)) take(state, remove_nodes(state.document, state.selection.nodes()));
-}
-
-/// `centre`: where the middle of it goes; none: where the text says.
-void paste(AppState& state, const std::optional<Vec2>& centre) {
-    if (state.ask_clipboard) state.clipboard = state.ask_clipboard();
-    const Spot spot = spot_after(state.document.scene(), state.selection.nodes());
-    take(state, paste_text(state.document, state.clipboard, spot, centre));
-}
-
-void select_all(AppState& state) { select(state, state.document.scene().roots()); }
-
-void group(AppState& state) { wrap_selection(state, *state.catalog->find("group")); }
-void unwrap(AppState& state) { take(state, unwrap_nodes(state.document, state.selection.nodes())); }
-
-/// One place up or down among its siblings.
-void shift_selection(AppState& state, int by) {
-    const Scene& scene = state.document.scene();
-    const std::vector<NodeId> chosen = outermost(scene, state.selection.nodes());
-    if (chosen.size() != 1) return say(state, "Select one node to move it", true);
-    const int index = scene.index_of(chosen[0]) + by;
-    if (index < 0 || index >= static_cast<int>(scene.siblings(chosen[0]).size())) return;
-    take(state, move_nodes(state.document, chosen, {scene.find(chosen[0])->parent, index + (by > 0 ? 1 : 0)}, true));
-}
-
-/// By the grid of the table's frame. Nudges that follow each other are one step, made anew from where the first began: there and back leaves
-/// the author's spelling.
-void nudge(AppState& state, const Vec2& steps) {
-    Document& document = state.document;
-    const auto text = [&] { return document.scene().sources.shared_main(); };
-    const std::vector<NodeId> chosen = outermost(document.scene(), state.selection.nodes());
-    const bool goes_on = document.can_undo() && !document.can_redo() && state.nudge.left == text() && state.nudge.nodes == chosen;
-    const Vec2 all_steps = goes_on ? Vec2(state.nudge.steps + steps) : steps;
-    if (goes_on) document.undo();
-    if (const auto why = move_by(document, chosen, default_grid * all_steps, default_grid)) {
-        if (goes_on) document.redo();
-        return say(state, *why, true);
-    }
-    state.nudge = {chosen, all_steps, text()};
-    say(state, move_label(document.scene(), chosen));
-}
-
-void select_parent(AppState& state) {
-    const Node* node = state.document.scene().find(state.selection.primary());
-    if (node && node->parent) select(state, node->parent);
-}
-
-void select_child(AppState& state) {
-    const Node* node = state.document.scene().find(state.selection.primary());
-    if (node && !node->children.empty()) select(state, node->children.front());
-}
-
-void select_sibling(AppState& state, int by) {
-    const Scene& scene = state.document.scene();
-    const Node* node = scene.find(state.selection.primary());
-    if (!node || node->is_record()) return;
-    const auto& siblings = scene.siblings(node->id);
-    const int count = static_cast<int>(siblings.size());
-    select(state, at(siblings, (scene.index_of(node->id) + by + count) % count));
-}
-
-void select_where(AppState& state, const std::function<bool(const Node&)>& wanted) {
-    std::vector<NodeId> nodes;
-    for (const NodeId id : state.document.scene().all())
-        if (const Node& node = *state.document.scene().find(id); !node.is_record() && wanted(node)) nodes.push_back(id);
-    select(state, std::move(nodes));
-}
-
-/// The selected node of the table, or null, with a word about it, where that is a record or gone.
-const Node* selected_node(AppState& state) {
-    const Node* node = state.document.scene().find(state.selection.primary());
-    if (node && !node->is_record()) return node;
-    say(state, "Select a node of the table", true);
-    return nullptr;
-}
-
-void select_same_type(AppState& state) {
-    const Node* chosen = selected_node(state);
-    if (!chosen) return;
-    select_where(state, [type = chosen->type](const Node& node) { return node.type == type; });
-}
-
-void select_same_material(AppState& state) {
-    const Node* chosen = selected_node(state);
-    if (!chosen) return;
-    select_where(state, [material = chosen->value("material")](const Node& node) { return identical(node.value("material"), material); });
-}
-
-bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
-
-bool can_paste(const AppState& s) { return !s.document.previewing() && (!s.clipboard.empty() || s.ask_clipboard); }
-
-bool always(const AppState&) { return true; }
 bool has_prompt(const AppState& s) { return s.prompt.has_value(); }
+bool has_recovery(const AppState& s) { return s.recovery.has_value(); }
 bool has_dialog(const AppState& s) { return !s.dialog_action.empty(); }
 
 constexpr Handler handlers[] = {
@@ -284,32 +164,6 @@ constexpr Handler handlers[] = {
     {"edit.undo", [](const AppState& s) { return s.document.can_undo() || s.document.previewing(); }, undo},
     {"edit.redo", [](const AppState& s) { return s.document.can_redo() && !s.document.previewing(); }, redo},
     {"edit.deselect", always, deselect},
-    {"edit.cut", has_selection, cut},
-    {"edit.copy", has_selection, [](AppState& s) { copy(s); }},
-    {"edit.paste", can_paste, [](AppState& s) { paste(s, s.pointer.value_or(s.view.centre)); }},
-    {"edit.paste_in_place", can_paste, [](AppState& s) { paste(s, {}); }},
-    {"edit.duplicate", has_selection, duplicate},
-    {"edit.delete", has_selection, delete_selection},
-    {"edit.select_all", always, select_all},
-    {"edit.group", has_selection, group},
-    {"edit.unwrap", has_selection, unwrap},
-    {"edit.rename", has_selection, [](AppState& s) { s.renaming = s.selection.primary(); }},
-    {"edit.move_up", has_selection, [](AppState& s) { shift_selection(s, -1); }},
-    {"edit.move_down", has_selection, [](AppState& s) { shift_selection(s, 1); }},
-    {"edit.nudge_left", has_selection, [](AppState& s) { nudge(s, {-1, 0}); }},
-    {"edit.nudge_right", has_selection, [](AppState& s) { nudge(s, {1, 0}); }},
-    {"edit.nudge_up", has_selection, [](AppState& s) { nudge(s, {0, 1}); }},
-    {"edit.nudge_down", has_selection, [](AppState& s) { nudge(s, {0, -1}); }},
-    {"edit.nudge_far_left", has_selection, [](AppState& s) { nudge(s, {-10, 0}); }},
-    {"edit.nudge_far_right", has_selection, [](AppState& s) { nudge(s, {10, 0}); }},
-    {"edit.nudge_far_up", has_selection, [](AppState& s) { nudge(s, {0, 10}); }},
-    {"edit.nudge_far_down", has_selection, [](AppState& s) { nudge(s, {0, -10}); }},
-    {"select.parent", has_selection, select_parent},
-    {"select.child", has_selection, select_child},
-    {"select.previous", has_selection, [](AppState& s) { select_sibling(s, -1); }},
-    {"select.next", has_selection, [](AppState& s) { select_sibling(s, 1); }},
-    {"select.same_type", has_selection, select_same_type},
-    {"select.same_material", has_selection, select_same_material},
     {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
     {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},
     {"play.step", always, [](AppState& s) { s.session.single_step(); }},
@@ -328,22 +182,27 @@ constexpr Handler handlers[] = {
     {"prompt.save", has_prompt, answer_save},
     {"prompt.discard", has_prompt, answer_discard},
     {"prompt.cancel", has_prompt, [](AppState& s) { s.prompt.reset(); }},
+    {"recover.restore", has_recovery, restore_work},
+    {"recover.discard", has_recovery, discard_work},
+    {"recover.later", has_recovery, put_work_off},
     {"dialog.accept", has_dialog, accept_path},
     {"dialog.cancel", has_dialog, close_dialog},
 };
 
 const Handler& handler_of(std::string_view action) {
-    const auto is_it = [&](const Handler& handler) { return handler.action == action; };
-    if (const auto found = std::find_if(std::begin(handlers), std::end(handlers), is_it); found != std::end(handlers)) return *found;
-    const auto found = std::find_if(arrange_handlers().begin(), arrange_handlers().end(), is_it);
-    assert(found != arrange_handlers().end() && "every action of the table has a handler");
-    return *found;
+    for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers()})
+        for (const Handler& handler : list)
+            if (handler.action == action) return handler;
+    assert(false && "every action of the table has a handler");
+    return handlers[0];
 }
 
 /// While a question is open, only its answers count.
 bool blocked(const AppState& state, std::string_view action) {
     if (state.prompt) return !action.starts_with("prompt.");
     if (has_dialog(state)) return !action.starts_with("dialog.");
+    // Closing the window puts the offer off; the window frames its table, whatever it asks.
+    if (state.recovery) return !action.starts_with("recover.") && !action.starts_with("view.") && action != "app.quit";
     return false;
 }
 
@@ -362,6 +221,11 @@ bool enabled(const AppState& state, std::string_view action) {
 void run(AppState& state, std::string_view action) {
     if (enabled(state, action)) return handler_of(action).run(state);
     say(state, fmt::format("{}: not now", find_action(action)->label), true);
+}
+
+void say(AppState& state, std::string message, bool problem) {
+    state.message = std::move(message);
+    state.message_is_problem = problem;
 }
 
 void open_file(AppState& state, const std::string& path) {
@@ -404,6 +268,7 @@ void wrap_selection(AppState& state, const NodeType& type) {
 }
 
 void advance(AppState& state, int ticks) {
+    keep_safe(state);  // first of all: whatever comes of the edit, it is not lost
     state.session.follow(state.document);
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     if (!state.document.scene().find(state.entered)) state.entered = {};
@@ -415,6 +280,7 @@ void look_at_disk(AppState& state) {
     if (state.disk == DiskState::reloaded) {
         say(state, fmt::format("{} was changed outside and is shown anew", name_of(state.document)));
         state.disk = DiskState::same;
+        if (state.recovery) state.recovery = recovery_of(std::move(state.recovery->orphan), state.document);
     } else if (state.disk == DiskState::broken && before != DiskState::broken) {
         say(state, fmt::format("{} was changed outside and cannot be read; the last good table runs on", name_of(state.document)), true);
     } else if (state.disk == DiskState::conflict && before != DiskState::conflict) {

@@ -4,9 +4,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "editor/actions.h"
 #include "editor/document.h"
+#include "editor/recovery.h"
 #include "editor/selection.h"
 #include "editor/session.h"
 #include "editor/structure_tools.h"
@@ -64,6 +66,9 @@ struct AppState {
     NodeId renaming{};          ///< its new id is to be typed in the tree
     std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
+    std::optional<WorkKeeper> keeper;    ///< none: unsaved work is neither kept nor offered (scripts, tests)
+    std::optional<Recovery> recovery;    ///< unsaved work on offer, until recover.restore, recover.discard or recover.later
+    std::vector<Orphan> more_to_recover; ///< offered after it
     bool quit = false;
     bool show_help = false;
 };
@@ -72,6 +77,8 @@ struct AppState {
 bool enabled(const AppState& state, std::string_view action);
 void run(AppState& state, std::string_view action);
 
+/// What the status line says from now on.
+void say(AppState& state, std::string message, bool problem = false);
 /// Opens a file in place of the document (a drop, a recent file), after asking about unsaved work.
 void open_file(AppState& state, const std::string& path);
 /// Applies one edit as one undo step; a refusal becomes the message. True when it was applied.
@@ -86,7 +93,7 @@ void add_node(AppState& state, const NodeType& type);
 void wrap_selection(AppState& state, const NodeType& type);
 /// Selects what a structural edit has left, or says why there was none. True when it was done.
 bool take(AppState& state, const Outcome& outcome);
-/// Lets the running table take what changed, then advances it: once a frame.
+/// Keeps what changed safe, lets the running table take it, then advances that: once a frame.
 void advance(AppState& state, int ticks);
 /// Follows the file when it was changed outside: now and then.
 void look_at_disk(AppState& state);

@@ -35,17 +35,11 @@ Box2 around(const std::vector<Placed>& nodes) {
     return all;
 }
 
-void say(AppState& state, const std::optional<std::string>& why, const std::string& done) {
-    state.message = why.value_or(done);
-    state.message_is_problem = why.has_value();
-}
-
-bool always(const AppState&) { return true; }
-bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
 bool has_several(const AppState& s) { return s.selection.nodes().size() > 1 && !s.document.previewing(); }
 
 void do_all(AppState& state, const std::vector<Edit>& edits, const std::string& label) {
-    say(state, edits.empty() ? std::nullopt : state.document.edit(edits, label), label);
+    const std::optional<std::string> why = edits.empty() ? std::nullopt : state.document.edit(edits, label);
+    say(state, why.value_or(label), why.has_value());
 }
 
 /// Moves without a grid: the lines are to meet.
@@ -63,7 +57,7 @@ void move_each(AppState& state, const std::vector<Placed>& nodes, const std::vec
 
 void align(AppState& state, Align how) {
     const std::vector<Placed> nodes = placed(state);
-    if (nodes.size() < 2) return say(state, "select two nodes or more to align them", {});
+    if (nodes.size() < 2) return say(state, "select two nodes or more to align them", true);
     const Box2 all = around(nodes);
     const auto line = [&](const Box2& box) {
         switch (how) {
@@ -83,7 +77,7 @@ void align(AppState& state, Align how) {
 
 void distribute(AppState& state, int axis) {
     std::vector<Placed> nodes = placed(state);
-    if (nodes.size() < 3) return say(state, "select three nodes or more to space them evenly", {});
+    if (nodes.size() < 3) return say(state, "select three nodes or more to space them evenly", true);
     std::sort(nodes.begin(), nodes.end(), [&](const Placed& a, const Placed& b) { return a.box.centre()[axis] < b.box.centre()[axis]; });
     double filled = 0;
     for (const Placed& one : nodes) filled += one.box.size()[axis];
@@ -119,7 +113,7 @@ void flip_selection(AppState& state, int axis) {
         add(place_after);
         // A reflection in an axis of the parent's frame: F R(turn) S F' = R(-turn) S F F'. Twice x and y is half a turn.
         if (world_from_parent.cosine != 1 && world_from_parent.cosine != -1)
-            return say(state, "what lies in a turned group cannot be mirrored in place", {});
+            return say(state, "what lies in a turned group cannot be mirrored in place", true);
         const std::string before = node.get<std::string>("flip"), name(choice_names(Flip{})[axis == 0 ? 1 : 2]);
         double turn = -node.get<double>("turn");
         std::string after = before == "none" ? name : "none";

@@ -131,7 +131,28 @@ std::optional<std::string> Document::write(std::span<const Edit> edits, const st
     return {};
 }
 
+std::size_t Document::unsaved_steps() const {
+    if (source().text() == disk_text_) return 0;
+    return lost_steps_ + std::max(position_, saved_position_) - std::min(position_, saved_position_);
+}
+
+/// The text is now the disk's.
+void Document::agree_with_disk() {
+    disk_text_ = source().text();
+    looks_without_file_ = 0;
+    broken_.reset();
+    saved_position_ = position_;
+    lost_steps_ = 0;
+}
+
 void Document::push(Step step) {
+    if (step.source_before->text() == disk_text_) {
+        saved_position_ = position_;
+        lost_steps_ = 0;
+    } else if (saved_position_ > position_) {
+        lost_steps_ += saved_position_ - position_;
+        saved_position_ = position_;
+    }
     history_.erase(history_.begin() + static_cast<std::ptrdiff_t>(position_), history_.end());
     history_.push_back(std::move(step));
     position_ = history_.size();
@@ -146,6 +167,8 @@ void Document::join_steps() {
     first.source_after = std::move(second.source_after);
     first.ids_after = std::move(second.ids_after);
     first.changes.insert(first.changes.end(), second.changes.begin(), second.changes.end());
+    if (saved_position_ == position_) ++lost_steps_;  // what lay between both can no longer be gone to
+    saved_position_ = std::min(saved_position_, position_);
 }
 
 /// Goes to a neighbouring state of the history.
@@ -177,9 +200,7 @@ Result<void> Document::save() {
     if (path_.empty()) return failure("the table has no file yet");
     const std::optional<std::string> expected = is_missing() ? std::nullopt : std::optional(disk_text_);
     if (const Result<bool> saved = save_file(path_, source().text(), expected); !saved) return tl::unexpected(saved.error());
-    disk_text_ = source().text();
-    looks_without_file_ = 0;
-    broken_.reset();
+    agree_with_disk();
     return {};
 }
 
@@ -188,11 +209,9 @@ Result<void> Document::save_as(const std::string& path) {
     if (Result<std::string> text = read_file(path)) there = std::move(*text);
     if (const Result<bool> saved = save_file(path, source().text(), there); !saved) return tl::unexpected(saved.error());
     path_ = path;
-    disk_text_ = source().text();
-    looks_without_file_ = 0;
     const Scene ids_from = reading_->scene;
-    take(read_table(named(disk_text_), catalog_), &ids_from);  // its places name the new file
-    broken_.reset();
+    take(read_table(named(source().text()), catalog_), &ids_from);  // its places name the new file
+    agree_with_disk();
     return {};
 }
 
@@ -211,7 +230,8 @@ DiskState Document::check_disk() {
         broken_.reset();
         return DiskState::same;
     }
-    if (dirty()) return *text == source().text() ? (disk_text_ = *text, DiskState::same) : DiskState::conflict;
+    if (dirty() && *text != source().text()) return DiskState::conflict;
+    if (dirty()) return agree_with_disk(), DiskState::same;
     if (broken_ && broken_->source().text() == *text) return DiskState::broken;
     Reading reading = read_table(named(std::move(*text)), catalog_);
     if (!reading.ok()) {
@@ -235,11 +255,21 @@ Result<void> Document::reload() {
 
 /// Takes a sound text from the disk as a step of its own, so that undo gives the earlier text back.
 void Document::follow_disk(Reading reading) {
-    disk_text_ = reading.source().text();
-    looks_without_file_ = 0;
-    broken_.reset();
-    if (disk_text_ == source().text()) return;
-    Step step{"Reload", shared_source(), reading.scene.sources.shared_main(), reading_->scene.all(), {}, {SceneChange{true, {}, 0}}};
+    replace_text(std::move(reading), "Reload");
+    agree_with_disk();
+}
+
+void Document::restore(std::string text, std::size_t steps) {
+    cancel_preview();
+    if (text == source().text()) return;
+    replace_text(read_table(named(std::move(text)), catalog_), "Restore unsaved work");
+    if (steps > 1) lost_steps_ += steps - 1;
+}
+
+/// Puts another text in place of this one, as one step.
+void Document::replace_text(Reading reading, const std::string& label) {
+    if (reading.source().text() == source().text()) return;
+    Step step{label, shared_source(), reading.scene.sources.shared_main(), reading_->scene.all(), {}, {SceneChange{true, {}, 0}}};
     const std::shared_ptr<const Reading> before = reading_;
     take(std::move(reading), &before->scene);
     step.ids_after = reading_->scene.all();

@@ -39,6 +39,10 @@ public:
     const Sources& diagnosed() const { return (broken_ ? broken_ : reading_)->scene.sources; }
     const std::string& path() const { return path_; }  ///< empty: never saved
     bool dirty() const;                                ///< the text differs from the disk's as last seen, or its file is gone
+    /// What the text was when it was loaded or saved last.
+    const std::string& saved_text() const { return disk_text_; }
+    /// Steps of the history between that and the text as it is.
+    std::size_t unsaved_steps() const;
 
     /// Shows an edit without writing it: the scene changes, the text does not (a drag in progress). Several previews of one
     /// field replace each other; several fields may be previewed together. Why not, or nothing.
@@ -75,6 +79,9 @@ public:
     DiskState check_disk();
     /// Takes the disk's text in place of the document's, whatever was edited; undo brings it back. Fails on a broken text.
     Result<void> reload();
+    /// Takes unsaved work that was kept elsewhere in place of the text, as one step that counts as the `steps` it was made in. The disk is
+    /// left alone: the document is dirty then.
+    void restore(std::string text, std::size_t steps);
 
     /// Scene changes since the last call, for the running table.
     std::vector<SceneChange> take_changes();
@@ -96,6 +103,8 @@ private:
     std::optional<std::string> write(std::span<const Edit> edits, const std::string& label);
     void replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids);
     void follow_disk(Reading reading);
+    void replace_text(Reading reading, const std::string& label);
+    void agree_with_disk();
     void push(Step step);
 
     std::shared_ptr<const Catalog> catalog_;
@@ -106,6 +115,8 @@ private:
     int looks_without_file_ = 0;  ///< in a row
     std::vector<Step> history_;
     std::size_t position_ = 0;
+    std::size_t saved_position_ = 0;  ///< where the text was the disk's; where the history has left that way, where it did
+    std::size_t lost_steps_ = 0;      ///< between there and the disk's text
     std::vector<SetField> preview_;
     std::shared_ptr<Scene> previewed_;  ///< the scene with what is previewed; null when nothing is
     std::vector<SceneChange> changes_;

@@ -13,6 +13,11 @@ struct Handler {
     void (*run)(AppState&);
 };
 
+inline bool always(const AppState&) { return true; }
+inline bool has_selection(const AppState& s) { return !s.selection.empty() && !s.document.previewing(); }
+
+/// What is done to selected nodes, and what is selected: edit_actions.cpp.
+std::span<const Handler> edit_handlers();
 /// Tools, alignment, mirroring: arrange.cpp.
 std::span<const Handler> arrange_handlers();
 

@@ -1,5 +1,5 @@
 // pinfield-editor: opens a table, plays it, edits it. Exit codes as the headless command's: 0 fine, 1 a script's step failed or the
-// table is wrong, 2 usage, 3 no file or no window.
+// table is wrong, 2 usage, 3 no file or no window, 128 + n ended by signal n.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "editor/app.h"
+#include "editor/keep_work.h"
 #include "editor/script.h"
 #include "engine/io/files.h"
 #include "engine/io/script_reader.h"
@@ -19,10 +20,10 @@ namespace {
 using namespace pinfield;
 using namespace pinfield::editor;
 
-enum ExitCode { fine = 0, wrong = 1, usage = 2, no_device = 3 };
+enum ExitCode { fine = 0, wrong = 1, usage = 2, no_device = 3, by_signal = 128 };
 
 struct Arguments {
-    std::string file, script, screenshot, size = "1440x900";
+    std::string file, script, screenshot, journals, size = "1440x900";
     int frames = -1;
     int ticks_per_frame = 0;
     double font_size = 14;
@@ -75,17 +76,21 @@ int run_editor(const Arguments& arguments) {
     }
     Result<AppState> state = first_state(arguments.file);
     if (!state) return complain(no_device, state.error().message);
+    if (!arguments.journals.empty()) keep_work(*state, arguments.journals);
+    else if (!scripted) keep_work(*state, journal_folder());
     Result<std::unique_ptr<App>> app = App::open(std::move(*state), options);
     if (!app) return complain(no_device, app.error().message);
 
     std::string failure;
+    int signal = 0;
     if (script) {
         failure = (*app)->run(std::move(*script));
     } else if (arguments.frames >= 0) {
         for (int i = 0; i < arguments.frames && !(*app)->state().quit; ++i) (*app)->frame();
     } else {
-        (*app)->run();
+        signal = (*app)->run();
     }
+    if (signal != 0) return by_signal + signal;
     if (!arguments.screenshot.empty()) {
         const Result<bool> written = (*app)->screenshot(arguments.screenshot);
         if (!written) return complain(no_device, written.error().message);
@@ -102,6 +107,8 @@ int main(int argc, char** argv) {
     cli.add_option("--script", arguments.script, "Steps to run (YAML); exits with 0, or 1 naming the step that failed");
     cli.add_option("--frames", arguments.frames, "Exit after so many frames")->check(CLI::NonNegativeNumber);
     cli.add_option("--screenshot", arguments.screenshot, "Write the window as a PNG before exiting");
+    cli.add_option("--journals", arguments.journals,
+                   "Folder in which unsaved work is kept, and found after a crash; $XDG_STATE_HOME/pinfield, or none with --script or --frames");
     cli.add_option("--size", arguments.size, "Window size, WIDTHxHEIGHT")->capture_default_str();
     cli.add_option("--ticks-per-frame", arguments.ticks_per_frame, "Ticks a frame; 0: by the clock, 16 with --script or --frames")
         ->check(CLI::Range(0, 100000));

@@ -54,7 +54,9 @@ const std::vector<Row>& layer_table() {
         {"engine/game/", {"engine/core/", "engine/scene/", "engine/program/", "engine/physics/"}, {}},
         {"engine/rules/", {"engine/core/", "engine/reflect/", "engine/scene/", "engine/physics/"}, {}},
         {"engine/cli/", whole_engine, {"Eigen/", "CLI/"}},
-        {"editor/", whole_engine, {"Eigen/"}},
+        {"editor/", whole_engine + Words{"editor/journal."}, {"Eigen/"}},
+        // Locks and synced files: what no C++ library offers.
+        {"editor/journal.", {"engine/core/"}, {"sys/file.h", "sys/stat.h", "unistd.h", "fcntl.h"}},
         {"editor/app.", whole_engine + Words{"editor/"}, {"Eigen/", "imgui"}},
         {"editor/main.", whole_engine + Words{"editor/"}, {"CLI/"}},
         {"editor/panels/", whole_engine + Words{"editor/"}, {"Eigen/", "imgui"}},

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <filesystem>
+#include <span>
 
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/at.h"
 
 namespace pinfield::editor {
 
@@ -30,6 +32,38 @@ bool begin_modal(const Theme& theme, const char* title, float width) {
 void align_right(float width) { ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - width)); }
 
 bool escape_pressed() { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false); }
+
+struct Answer {
+    const char* label;
+    std::string_view action;
+};
+
+/// A row of buttons that ends at the right edge: the action of the one that was clicked, or chosen by Tab or arrows and then Enter or Space;
+/// Esc gives `on_escape`. `preferred` is chosen at first, `chosen` is the one that is. A key that opened the dialog does not answer it.
+std::string_view answered(const Theme& theme, std::span<const Answer> answers, int preferred, int& chosen, std::string_view on_escape) {
+    const int count = static_cast<int>(answers.size());
+    const bool appears = ImGui::IsWindowAppearing();
+    if (appears) chosen = preferred;
+    const auto pressed = [&](ImGuiKey key) { return !appears && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); };
+    const bool back = pressed(ImGuiKey_LeftArrow) || (pressed(ImGuiKey_Tab) && ImGui::GetIO().KeyShift);
+    const bool on = pressed(ImGuiKey_RightArrow) || (pressed(ImGuiKey_Tab) && !ImGui::GetIO().KeyShift);
+    chosen = (chosen + (on ? 1 : 0) + (back ? count - 1 : 0)) % count;
+
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    align_right(static_cast<float>(count) * theme.px(92) + static_cast<float>(count - 1) * gap);
+    std::string_view answer;
+    for (int i = 0; i < count; ++i) {
+        if (i > 0) ImGui::SameLine();
+        if (dialog_button(theme, at(answers, i).label, i == preferred)) answer = at(answers, i).action;
+        if (i != chosen) continue;
+        const ImVec2 least = ImGui::GetItemRectMin(), most = ImGui::GetItemRectMax();
+        ImGui::GetWindowDrawList()->AddRect({least.x - 2, least.y - 2}, {most.x + 2, most.y + 2}, ink(palette::accent),
+                                            ImGui::GetStyle().FrameRounding + 2, 0, theme.px(1.5f));
+    }
+    if (pressed(ImGuiKey_Escape)) return on_escape;
+    if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter) || pressed(ImGuiKey_Space)) return at(answers, chosen).action;
+    return answer;
+}
 
 void list_folder(PathDialog& dialog) {
     dialog.folders.clear();
@@ -159,15 +193,73 @@ void prompt_dialog(AppState& state, Ui& ui) {
     text_in(theme.body, palette::quiet, state.prompt->question + " Save them first?");
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, theme.px(8)});
-    align_right(3 * theme.px(92) + 2 * ImGui::GetStyle().ItemSpacing.x);
-    std::string_view answer;
-    if (dialog_button(theme, "Discard", false)) answer = "prompt.discard";
-    ImGui::SameLine();
-    if (dialog_button(theme, "Cancel", false) || escape_pressed()) answer = "prompt.cancel";
-    ImGui::SameLine();
-    if (dialog_button(theme, "Save", true)) answer = "prompt.save";
+    constexpr Answer answers[] = {{"Discard", "prompt.discard"}, {"Cancel", "prompt.cancel"}, {"Save", "prompt.save"}};
+    const std::string_view answer = answered(theme, answers, 2, ui.answer, "prompt.cancel");
     if (!answer.empty()) run(state, answer);
     if (!state.prompt) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+namespace {
+
+/// A sign in front says what the color says.
+void diff_line(const Theme& theme, const DiffLine& line) {
+    using Kind = DiffLine::Kind;
+    const Tint color = line.kind == Kind::added ? palette::teal : line.kind == Kind::removed ? palette::coral : palette::quiet;
+    const char* const sign = line.kind == Kind::added ? "+" : line.kind == Kind::removed ? "\u2212" : "";
+    const float left = ImGui::GetCursorPosX();
+    text_in(theme.small, palette::faint, std::to_string(line.number));
+    ImGui::SameLine(left + theme.px(34));
+    text_in(theme.small, color, sign);
+    ImGui::SameLine(left + theme.px(48));
+    ImGui::PushFont(theme.small);
+    const std::string text = fitted(line.text, ImGui::GetContentRegionAvail().x);
+    ImGui::PopFont();
+    text_in(theme.small, color, text);
+}
+
+void diff_list(const Theme& theme, const LineDiff& diff) {
+    const float row = theme.small->FontSize + theme.px(2);
+    const auto hunks = std::count_if(diff.lines.begin(), diff.lines.end(), [](const DiffLine& line) { return line.begins_hunk; });
+    const auto gaps = std::max<std::ptrdiff_t>(hunks - 1, 0);
+    const float rows = static_cast<float>(diff.lines.size()) + (diff.left_out > 0 || diff.lines.empty() ? 1 : 0);
+    ImGui::PushStyleColor(ImGuiCol_ChildBg, palette::panel);
+    ImGui::PushStyleVar(ImGuiStyleVar_ChildRounding, theme.px(5));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(10), theme.px(8)));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, theme.px(2)));
+    const float height = rows * row + static_cast<float>(gaps) * theme.px(8) + theme.px(18);
+    ImGui::BeginChild("##diff", {0, std::min(height, 0.5f * ImGui::GetIO().DisplaySize.y)}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    for (std::size_t i = 0; i < diff.lines.size(); ++i) {
+        if (diff.lines[i].begins_hunk && i > 0) ImGui::Dummy({0, theme.px(6)});
+        diff_line(theme, diff.lines[i]);
+    }
+    if (diff.lines.empty()) text_in(theme.small, palette::quiet, "The lines are the same; how they end is not.");
+    if (diff.left_out > 0) text_in(theme.small, palette::quiet, "and " + std::to_string(diff.left_out) + " more changed lines");
+    ImGui::EndChild();
+    ImGui::PopStyleVar(3);
+    ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void recovery_dialog(AppState& state, Ui& ui) {
+    if (!state.recovery || state.prompt || !state.dialog_action.empty()) return;
+    const Theme& theme = ui.theme;
+    const Recovery& recovery = *state.recovery;
+    if (!begin_modal(theme, "##recovery", 620)) return;
+    text_in(theme.large, palette::text, "Unsaved work was found");
+    ImGui::PushTextWrapPos(0);
+    text_in(theme.body, palette::quiet, summary(recovery, seconds_since_1970()));
+    if (recovery.file_changed)
+        text_in(theme.body, palette::amber, "The file has changed since: what it holds now would be replaced as below. Undo brings it back.");
+    if (recovery.file_gone) text_in(theme.body, palette::amber, "Its file is gone: " + recovery.orphan.work.table);
+    ImGui::PopTextWrapPos();
+    diff_list(theme, recovery.diff);
+    ImGui::Dummy({0, theme.px(4)});
+    constexpr Answer answers[] = {{"Discard", "recover.discard"}, {"Later", "recover.later"}, {"Restore", "recover.restore"}};
+    const std::string_view answer = answered(theme, answers, recovery.file_changed ? 1 : 2, ui.answer, "recover.later");
+    if (!answer.empty()) run(state, answer);
+    if (!state.recovery) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -67,6 +67,7 @@ void draw_panels(AppState& state, Ui& ui) {
 
     path_dialog(state, ui);
     prompt_dialog(state, ui);
+    recovery_dialog(state, ui);
     shortcut_sheet(state, ui);
 }
 

@@ -86,6 +86,7 @@ struct Ui {
     Renaming renaming;
     NodeId menu_node;       ///< row of the tree whose menu is to open
     PathDialog dialog;
+    int answer = 0;         ///< the button of a question that Enter presses
     bool frame_wanted = true;  ///< show the whole table in the next frame
 };
 
@@ -137,6 +138,7 @@ void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void path_dialog(AppState& state, Ui& ui);
 void prompt_dialog(AppState& state, Ui& ui);
+void recovery_dialog(AppState& state, Ui& ui);
 void shortcut_sheet(AppState& state, Ui& ui);
 
 /// All of them, laid out in the window.

@@ -49,13 +49,15 @@ struct Outcome {
     std::string said;  ///< stdout and stderr
 };
 
-Outcome run_editor(const Workplace& place, const std::string& arguments) {
+/// `after`: shell code behind the editor's command.
+Outcome run_editor(const Workplace& place, const std::string& arguments, const std::string& after = {}) {
     const fs::path log = place.in("log.txt");
-    const std::string command = "cd '" + place.folder.string() + "' && '" + pinfield::test::bin_dir() + "/pinfield-editor' " + arguments +
-                                " > '" + log.string() + "' 2>&1";
+    const std::string command = "cd '" + place.folder.string() + "' || exit; '" + pinfield::test::bin_dir() + "/pinfield-editor' " + arguments +
+                                " > '" + log.string() + "' 2>&1" + after;
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(log)};
 }
+
 
 Outcome run_script(const Workplace& place, const std::string& steps) {
     write(place.in("steps.yaml"), steps);
@@ -146,4 +148,34 @@ TEST_CASE("wrong command lines are 2 and files that are not there are 3") {
     CHECK(run_editor(place, "nowhere.yaml --frames 1").code == 3);
     CHECK(run_editor(place, "--version").code == 0);
     CHECK(run_editor(place, "--help").code == 0);
+}
+
+TEST_CASE("an editor that is killed in the middle of its work offers it at the next start; Enter restores it, and it can be saved") {
+    const Workplace place("killed");
+    const std::string before = read(place.table());
+    write(place.in("edit.yaml"), R"(
+- {drag: {from: [0.300, 0.800], to: [0.312, 0.810]}}
+- {wait: {ticks: 16}}
+- {screenshot: edited.png}
+- {wait: {ticks: 10000000}}
+)");
+    const std::string kill_when_edited = " & until [ -e edited.png ] || ! kill -0 $! 2>/dev/null; do sleep 0.1; done; kill -KILL $!; wait $!";
+    const Outcome killed = run_editor(place, "table.yaml --script edit.yaml --journals journals --size 1280x800", kill_when_edited);
+    INFO(killed.said);
+    REQUIRE(killed.code == 128 + 9);
+    CHECK(read(place.table()) == before);
+    REQUIRE_FALSE(fs::is_empty(place.in("journals")));
+
+    write(place.in("steps.yaml"), R"(
+- {screenshot: offer.png}
+- {key: {press: Enter, ticks: 20}}
+- {expect: {node: pop_top, field: at, value: [312mm, 810mm], tolerance: 0.6mm}}
+- {action: file.save}
+- {wait: {ticks: 16}}
+)");
+    const Outcome restored = run_editor(place, "table.yaml --script steps.yaml --journals journals --size 1280x800");
+    INFO(restored.said);
+    REQUIRE(restored.code == 0);
+    CHECK(changed_lines(before, read(place.table())).size() == 1);
+    CHECK(fs::is_empty(place.in("journals")));
 }

@@ -1,0 +1,179 @@
+// Processes that are killed while they edit, at random moments.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cstdlib>
+#include <optional>
+#include <random>
+#include <thread>
+
+#include "editor/keep_work.h"
+#include "tests/editor/support.h"
+
+using namespace pinfield;
+using namespace pinfield::editor;
+using namespace pinfield::editor::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t files_in(const std::string& folder) {
+    std::error_code none;
+    std::size_t count = 0;
+    for (fs::directory_iterator it(folder, none), end; !none && it != end; ++it) ++count;
+    return count;
+}
+
+/// Does the work, which takes a function to report with and never ends by itself, in a process of its own, and kills that so long after its
+/// first report. Returns the last one.
+template <class Report, class Work>
+Report last_report_of_killed(Work work, std::int64_t microseconds) {
+    int ends[2];
+    REQUIRE(::pipe(ends) == 0);
+    const pid_t child = ::fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        work([&](const Report& report) {
+            if (::write(ends[1], &report, sizeof report) != sizeof report) ::_exit(1);
+        });
+        ::_exit(1);
+    }
+    ::close(ends[1]);
+    Report last{};
+    CHECK(::read(ends[0], &last, sizeof last) == sizeof last);
+    std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+    ::kill(child, SIGKILL);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    CHECK(WIFSIGNALED(status));
+    while (::read(ends[0], &last, sizeof last) == sizeof last) {}
+    ::close(ends[0]);
+    return last;
+}
+
+/// How often a test kills: PINFIELD_KILLS asks for another number.
+int kills(int usually) {
+    const char* const text = std::getenv("PINFIELD_KILLS");
+    return text ? std::atoi(text) : usually;
+}
+
+/// The n-th state of some table: its text grows and shrinks.
+UnsavedWork work_of(int n) {
+    std::string text = "pinfield: 1\nscene:\n";
+    for (int i = 0; i <= n % 7; ++i) text += "  - circle: {radius: " + std::to_string(n) + "mm}\n";
+    return {"/tables/pen.yaml", "pinfield: 1\n", text, n, "Edit " + std::to_string(n), 1'000'000 + n};
+}
+
+/// What a process that writes a journal has to say, before and after it writes.
+struct Report {
+    enum Kind : int { begins, done, dropping, dropped };
+    int kind = begins;
+    int state = 0;
+};
+
+/// Writes state after state, drops the journal now and then. Small files, so that they are often begun anew.
+template <class Tell>
+void write_journals(const std::string& folder, Tell tell) {
+    Journal journal(folder, 4'000);
+    for (int n = 1;; ++n) {
+        tell({Report::begins, n});
+        if (!journal.write(work_of(n))) return;
+        tell({Report::done, n});
+        if (n % 32 != 0) continue;
+        tell({Report::dropping, n});
+        journal.drop();
+        tell({Report::dropped, n});
+    }
+}
+
+AppState keeping_state(const Folder& folder) {
+    AppState state(catalog(), *Document::open(folder.file("table.yaml"), catalog()));
+    keep_work(state, folder.file("journals"));
+    return state;
+}
+
+double kick_of(int n) { return n / 64.0; }
+
+/// How a number is spelled follows from the one before it, so all steps are made.
+std::string text_of_step(int n) {
+    const Folder folder;
+    Document document = opened(folder);
+    for (int i = 1; i <= n; ++i) REQUIRE_FALSE(document.edit(change(document, "pop", "kick", kick_of(i)), "Kick"));
+    return document.source().text();
+}
+
+/// Edits, undoes and redoes every fifth step, saves every seventh. Tells 2n when step n begins, 2n + 1 when it is done.
+template <class Tell>
+void edit_and_save(const Folder& folder, Tell tell) {
+    AppState state = keeping_state(folder);
+    for (int n = 1; n < 6'000; ++n) {
+        tell(2 * n);
+        if (!edit(state, change(state.document, "pop", "kick", kick_of(n)), "Kick")) return;
+        if (n % 5 == 0) run(state, "edit.undo");
+        if (n % 5 == 0) run(state, "edit.redo");
+        if (n % 7 == 0) run(state, "file.save");
+        advance(state, 0);
+        tell(2 * n + 1);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("an editing process may be killed at any moment: what it had written is found, and nothing else is left") {
+    const Folder folder;
+    const std::string place = folder.file("state");
+    std::mt19937 random(7);
+    int with_work = 0, mid_write = 0, mid_drop = 0;
+    for (int i = 0; i < kills(200); ++i) {
+        const Report last = last_report_of_killed<Report>([&](auto report) { write_journals(place, report); }, random() % 6'000);
+        const Orphans orphans = find_orphans(place);
+        INFO("kill " << i << ", last report " << last.kind << " of state " << last.state);
+        REQUIRE(orphans.unreadable.empty());
+        REQUIRE(orphans.found.size() <= 1);
+        const int found = orphans.found.empty() ? 0 : static_cast<int>(orphans.found[0].work.edits);
+        if (found > 0) REQUIRE(orphans.found[0].work == work_of(found));
+        const int before = last.state % 32 == 1 ? 0 : last.state - 1;  // the journal began with each 32nd state
+        switch (last.kind) {
+            case Report::begins: REQUIRE((found == before || found == last.state)); break;
+            case Report::done: REQUIRE(found == last.state); break;
+            case Report::dropping: REQUIRE((found == 0 || found == last.state)); break;
+            case Report::dropped: REQUIRE(found == 0); break;
+        }
+        with_work += found > 0;
+        mid_write += last.kind == Report::begins;
+        mid_drop += last.kind == Report::dropping;
+        if (found > 0) REQUIRE(remove_orphan(orphans.found[0].file));
+        REQUIRE(files_in(place) == 0);
+    }
+    if (kills(200) > 200) WARN(with_work << " left work, " << mid_write << " died during a write, " << mid_drop << " during a drop");
+    CHECK(with_work > kills(200) / 2);
+}
+
+TEST_CASE("an editor that is killed at any moment loses no step that was done: restored, or saved, byte for byte") {
+    const Folder folder;
+    std::mt19937 random(11);
+    int restored = 0, amid = 0;
+    for (int kill = 0; kill < kills(30); ++kill) {
+        folder.write("table.yaml", pen);
+        const int last = last_report_of_killed<int>([&](auto report) { edit_and_save(folder, report); }, random() % 60'000);
+        const bool done = last % 2 == 1;
+        const int n = last / 2;
+        INFO("kill " << kill << " at step " << n << (done ? ", done" : ", begun"));
+        AppState state = keeping_state(folder);
+        CHECK_FALSE(state.message_is_problem);
+        if (state.recovery) run(state, "recover.restore"), ++restored;
+        amid += !done;
+        const std::string& text = state.document.source().text();
+        REQUIRE((text == text_of_step(n) || (!done && text == text_of_step(n - 1))));
+        if (state.document.dirty()) run(state, "file.save");
+        CHECK(folder.read("table.yaml") == text);
+        advance(state, 0);
+        REQUIRE(files_in(folder.file("journals")) == 0);
+    }
+    CHECK(restored > kills(30) / 6);
+    CHECK(amid > kills(30) / 10);
+}
