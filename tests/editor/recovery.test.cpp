@@ -32,6 +32,11 @@ std::string leave_work(const Folder& folder) {
     return state.document.source().text();
 }
 
+std::string bytes_of(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
 std::size_t journals_in(const Folder& folder) {
     std::error_code none;
     std::size_t count = 0;
@@ -159,6 +164,32 @@ TEST_CASE("restored work is one step over the file, is unsaved, and is kept anew
     run(state, "edit.redo");
     run(state, "file.save");
     CHECK(folder.read("table.yaml") == work);
+}
+
+TEST_CASE("restored work that cannot be kept anew stays where it was found") {
+    const Folder folder;
+    folder.write("table.yaml", pen);
+    const std::string work = leave_work(folder);
+    AppState state = keeping_state(folder);
+    state.keeper.emplace(folder.write("in_the_way", "a file"));
+    run(state, "recover.restore");
+    CHECK(state.document.source().text() == work);
+    CHECK_THAT(state.message, Catch::Contains("not protected"));
+    CHECK(find_orphans(folder.file("journals")).found.size() == 1);
+}
+
+TEST_CASE("whoever dies between a save and the end of the journal leaves the same text in both") {
+    const Folder folder;
+    folder.write("table.yaml", pen);
+    {
+        AppState state = keeping_state(folder);
+        kick(state, 1);
+        REQUIRE(edit(state, change(state.document, "pop", "kick", 2.0), "Kick"));
+        run(state, "file.save");
+        CHECK(read_journal(bytes_of(state.keeper->path())).work.text == folder.read("table.yaml"));
+    }
+    CHECK_FALSE(keeping_state(folder).recovery);
+    CHECK(journals_in(folder) == 0);
 }
 
 TEST_CASE("discarded work is gone, work put off is offered again") {
@@ -365,8 +396,7 @@ TEST_CASE("an edit is on disk before the next frame, a drag in progress is not y
     REQUIRE_FALSE(state.document.commit("Kick"));
     advance(state, 1);
     REQUIRE(journals_in(folder) == 1);
-    std::ifstream in(state.keeper->path(), std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    const std::string bytes = bytes_of(state.keeper->path());
     CHECK(read_journal(bytes).work.text == state.document.source().text());
     CHECK(read_journal(bytes).work.base == pen);
 }
