@@ -6,7 +6,12 @@ namespace pinfield::editor {
 
 const std::vector<Action>& all_actions() {
     static const std::vector<Action> actions{
-        {"file.new", "New", "File", "Ctrl+N", "A new table from the starter text."},
+        {"file.new", "New...", "File", "Ctrl+N", "A new table, from one of the tables to begin with."},
+        {"new.classic", "New classic table", "", "", "Two flippers, slings and a bumper."},
+        {"new.fan", "New fan table", "", "", "An arch, a plunger and lanes that fan out from the flippers."},
+        {"new.homework", "New bouncing ball", "", "", "One ball and some obstacles."},
+        {"new.blank", "New blank table", "", "", "Four walls."},
+        {"new.cancel", "Cancel", "", "", "Stay with the present table."},
         {"file.open", "Open...", "File", "Ctrl+O", "Open another table."},
         {"file.save", "Save", "File", "Ctrl+S", "Write what changed into the file, and nothing else."},
         {"file.save_as", "Save As...", "File", "Ctrl+Shift+S", "Write the table to another file and go on there."},
@@ -71,6 +76,8 @@ const std::vector<Action>& all_actions() {
         {"view.all", "Frame the table", "View", "Home", "Fit the whole table into the viewport."},
         {"view.zoom_in", "Zoom in", "View", "=", "Closer, about the middle."},
         {"view.zoom_out", "Zoom out", "View", "-", "Farther, about the middle."},
+
+        {"view.palette", "Palette", "View", "F8", "Show or hide what can be added, below the tree."},
 
         {"help.keys", "Keys", "Help", "F1", "Every action and its key."},
 

@@ -12,6 +12,7 @@
 #include "editor/handles.h"
 #include "editor/keep_work.h"
 #include "editor/pick.h"
+#include "editor/starters.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
 #include "engine/scene/validate.h"
@@ -56,8 +57,10 @@ void go_on(AppState& state, const Prompt& prompt) {
     if (prompt.then_action == "app.quit") {
         state.quit = true;
         if (state.keeper) state.keeper->drop();
-    } else if (prompt.then_action == "file.new") {
-        replace_document(state, Document::untitled(state.catalog));
+    } else if (prompt.then_action.starts_with("new.")) {
+        for (const Starter& starter : starters())
+            if (starter.action == prompt.then_action) replace_document(state, Document::untitled(state.catalog, starter.text));
+        state.choosing = false;
         say(state, "A new table");
     } else if (prompt.path.empty()) ask_path(state, "file.open");
     else open_now(state, prompt.path);
@@ -155,7 +158,12 @@ bool has_recovery(const AppState& s) { return s.recovery.has_value(); }
 bool has_dialog(const AppState& s) { return !s.dialog_action.empty(); }
 
 constexpr Handler handlers[] = {
-    {"file.new", always, [](AppState& s) { guard(s, "file.new"); }},
+    {"file.new", always, [](AppState& s) { s.choosing = true; }},
+    {"new.classic", always, [](AppState& s) { guard(s, "new.classic"); }},
+    {"new.fan", always, [](AppState& s) { guard(s, "new.fan"); }},
+    {"new.homework", always, [](AppState& s) { guard(s, "new.homework"); }},
+    {"new.blank", always, [](AppState& s) { guard(s, "new.blank"); }},
+    {"new.cancel", [](const AppState& s) { return s.choosing; }, [](AppState& s) { s.choosing = false; }},
     {"file.open", always, [](AppState& s) { guard(s, "file.open"); }},
     {"file.save", [](const AppState& s) { return s.document.path().empty() || s.document.dirty(); }, save},
     {"file.save_as", always, [](AppState& s) { ask_path(s, "file.save_as"); }},
@@ -178,6 +186,7 @@ constexpr Handler handlers[] = {
     {"view.all", always, [](AppState& s) { s.view.frame({{0, 0}, s.session.program().size}); }},
     {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
     {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
+    {"view.palette", always, [](AppState& s) { s.show_palette = !s.show_palette; }},
     {"help.keys", always, [](AppState& s) { s.show_help = !s.show_help; }},
     {"prompt.save", has_prompt, answer_save},
     {"prompt.discard", has_prompt, answer_discard},
@@ -201,6 +210,7 @@ const Handler& handler_of(std::string_view action) {
 bool blocked(const AppState& state, std::string_view action) {
     if (state.prompt) return !action.starts_with("prompt.");
     if (has_dialog(state)) return !action.starts_with("dialog.");
+    if (state.choosing) return !action.starts_with("new.");
     // Closing the window puts the offer off; the window frames its table, whatever it asks.
     if (state.recovery) return !action.starts_with("recover.") && !action.starts_with("view.") && action != "app.quit";
     return false;
@@ -254,13 +264,13 @@ void select(AppState& state, std::vector<NodeId> nodes) {
     state.entered = compound_around(state.document.scene(), state.selection.primary());
 }
 
-void add_node(AppState& state, const NodeType& type) {
+void add_node(AppState& state, const NodeType& type, const std::optional<Vec2>& world) {
     const Scene& scene = state.document.scene();
     Spot spot = spot_after(scene, state.selection.nodes());
     // A part stands at the top level or in a group, whatever is selected.
     while (spot.parent && misplaced_part(type, scene.find(spot.parent)->type, {}))
         spot = {scene.find(spot.parent)->parent, scene.index_of(spot.parent) + 1};
-    take(state, insert_new(state.document, type, spot, state.view.centre));
+    take(state, insert_new(state.document, type, spot, world.value_or(state.view.centre)));
 }
 
 void wrap_selection(AppState& state, const NodeType& type) {

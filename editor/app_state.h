@@ -20,7 +20,7 @@ namespace pinfield::editor {
 /// and what goes on after.
 struct Prompt {
     std::string question;
-    std::string then_action;  ///< run when the answer is save or discard: "file.new", "file.open", "app.quit"
+    std::string then_action;  ///< run when the answer is save or discard: "new.blank", "file.open", "app.quit"
     std::string path{};       ///< the file that then_action opens; empty: it asks
 };
 
@@ -69,7 +69,9 @@ struct AppState {
     std::optional<WorkKeeper> keeper;    ///< none: unsaved work is neither kept nor offered (scripts, tests)
     std::optional<Recovery> recovery;    ///< unsaved work on offer, until recover.restore, recover.discard or recover.later
     std::vector<Orphan> more_to_recover; ///< offered after it
+    bool choosing = false;      ///< File > New asks which table to begin with
     bool quit = false;
+    bool show_palette = true;
     bool show_help = false;
 };
 
@@ -87,8 +89,8 @@ bool edit(AppState& state, const SetField& change, const std::string& label);
 void select(AppState& state, NodeId node);
 /// Selects these; the last of them is the one that panels show.
 void select(AppState& state, std::vector<NodeId> nodes);
-/// Puts a new node of this type beside the selection, in the middle of the view, and selects it.
-void add_node(AppState& state, const NodeType& type);
+/// Puts a new node of this type beside the selection, at a place of the world (else in the middle of the view), and selects it.
+void add_node(AppState& state, const NodeType& type, const std::optional<Vec2>& world = {});
 /// Puts the selected nodes into a new node of this type.
 void wrap_selection(AppState& state, const NodeType& type);
 /// Selects what a structural edit has left, or says why there was none. True when it was done.

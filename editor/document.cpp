@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "editor/starter_table.h"
 #include "engine/core/at.h"
 #include "engine/io/files.h"
 #include "engine/io/same_content.h"
@@ -37,11 +36,11 @@ std::vector<SceneChange> changes_of(std::span<const Edit> edits) {
 
 }  // namespace
 
-Document Document::untitled(std::shared_ptr<const Catalog> catalog) {
+Document Document::untitled(std::shared_ptr<const Catalog> catalog, std::string_view text) {
     Document document;
     document.catalog_ = std::move(catalog);
-    document.disk_text_ = starter_table;  // nobody's work is lost with it
-    document.take(read_table(document.named(std::string(starter_table)), document.catalog_), nullptr);
+    document.disk_text_ = text;  // nobody's work is lost with it
+    document.take(read_table(document.named(std::string(text)), document.catalog_), nullptr);
     return document;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/diagnostic.h"
@@ -26,7 +27,7 @@ enum class DiskState : unsigned char { same, reloaded, broken, conflict, missing
 class Document {
 public:
     /// A new, unsaved table from a starter text.
-    static Document untitled(std::shared_ptr<const Catalog> catalog);
+    static Document untitled(std::shared_ptr<const Catalog> catalog, std::string_view text);
     /// Fails when the file cannot be read. A file with errors opens: diagnostics() says what is wrong, scene() is what could be understood.
     static Result<Document> open(const std::string& path, std::shared_ptr<const Catalog> catalog);
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "editor/app.h"
+#include "editor/starters.h"
 #include "editor/keep_work.h"
 #include "editor/script.h"
 #include "engine/io/files.h"
@@ -43,7 +44,7 @@ bool read_size(const std::string& text, int& width, int& height) {
 
 Result<AppState> first_state(const std::string& file) {
     const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
-    if (file.empty()) return AppState(catalog, Document::untitled(catalog));
+    if (file.empty()) return AppState(catalog, Document::untitled(catalog, starters().front().text));
     Result<Document> document = Document::open(file, catalog);
     if (!document) return tl::unexpected(document.error());
     return AppState(catalog, std::move(*document));

@@ -8,14 +8,16 @@
 #include "engine/core/trig.h"
 #include "engine/physics/mechanisms/mechanism.h"
 #include "engine/program/compile.h"
+#include "engine/program/tree.h"
 #include "engine/scene/parts/spawn.h"
 #include "engine/sdf/piece.h"
 
 namespace pinfield::editor {
 namespace {
 
-constexpr double tiny = 1e-9;       ///< metres: pieces that meet
-constexpr double per_chord = 0.25;  ///< radians
+constexpr int cells = 40;             ///< of a side, where a line is looked for
+constexpr double tiny = 1e-9;         ///< metres: pieces that meet
+constexpr double flat_enough = 0.02;  ///< of the radius: how far an arc strays from its chord
 
 class Drawing {
 public:
@@ -27,15 +29,37 @@ public:
             if (solid.origin == left_out) continue;
             for (int i = 0; i < solid.piece_count; ++i)
                 add(sdf::transformed(world_from_field, at(field.pieces, solid.first_piece + i).piece));
+            if (solid.piece_count == 0) add_zero_line(field, solid.root, world_from_field);
         }
     }
-    void add(const sdf::Piece& piece) {
-        const double turn = piece.is_arc() ? sdf::bounds_of(piece).size().norm() / piece.radius : 0;
-        const int chords = piece.is_arc() ? std::clamp(static_cast<int>(std::ceil(2 * turn / per_chord)), 2, 32) : 1;
-        for (int i = 0; i < chords; ++i) {
-            const double from = static_cast<double>(i) / chords, to = static_cast<double>(i + 1) / chords;
-            chord(sdf::point_at_share(piece, from), sdf::point_at_share(piece, to));
-        }
+    void add(const sdf::Piece& piece, int halvings = 6) {
+        const Vec2 middle = sdf::middle_of(piece);
+        const bool flat = length(middle - 0.5 * (piece.a + piece.b)) < flat_enough * piece.radius;
+        if (!piece.is_arc() || flat || halvings == 0) return chord(piece.a, piece.b);
+        add(sdf::Piece::arc(piece.centre, piece.radius, piece.a, middle, piece.turn, false), halvings - 1);
+        add(sdf::Piece::arc(piece.centre, piece.radius, middle, piece.b, piece.turn, false), halvings - 1);
+    }
+    /// Of a solid without pieces: cell by cell, straight from side to side of each.
+    void add_zero_line(const Field& field, int op, const Similarity& world_from_field) {
+        const Similarity field_from_world = world_from_field.inverse();
+        const Vec2 cell = frame_.size() / cells;
+        const auto corner = [&](int i, int j) { return Vec2(frame_.lo + cell.cwiseProduct(Vec2(i, j))); };
+        std::vector<double> values;
+        for (int j = 0; j <= cells; ++j)
+            for (int i = 0; i <= cells; ++i) values.push_back(tree_value(field, op, field_from_world * corner(i, j)));
+        const auto value = [&](int i, int j) { return at(values, j * (cells + 1) + i); };
+        for (int j = 0; j < cells; ++j)
+            for (int i = 0; i < cells; ++i) {
+                const int ring[5][2] = {{i, j}, {i + 1, j}, {i + 1, j + 1}, {i, j + 1}, {i, j}};
+                std::vector<Vec2> ends;
+                for (int k = 0; k < 4; ++k) {
+                    const double a = value(ring[k][0], ring[k][1]), b = value(ring[k + 1][0], ring[k + 1][1]);
+                    if ((a <= 0) == (b <= 0)) continue;
+                    const Vec2 p = corner(ring[k][0], ring[k][1]), q = corner(ring[k + 1][0], ring[k + 1][1]);
+                    ends.push_back(p + a / (a - b) * (q - p));
+                }
+                for (std::size_t k = 0; k + 1 < ends.size(); k += 2) chord(ends[k], ends[k + 1]);
+            }
     }
     Picture finished() {
         for (const auto& line : picture_.lines)
@@ -44,8 +68,21 @@ public:
     }
 
 private:
-    void chord(const Vec2& a, const Vec2& b) {
-        if (!frame_.contains(a) || !frame_.contains(b)) return;
+    /// What of it lies in the frame.
+    void chord(const Vec2& from, const Vec2& to) {
+        const Vec2 way = to - from;
+        double first = 0, last = 1;
+        for (const int axis : {0, 1}) {
+            if (way[axis] == 0) {
+                if (from[axis] < frame_.lo[axis] || from[axis] > frame_.hi[axis]) return;
+                continue;
+            }
+            const double s = (frame_.lo[axis] - from[axis]) / way[axis], t = (frame_.hi[axis] - from[axis]) / way[axis];
+            first = std::max(first, std::min(s, t));
+            last = std::min(last, std::max(s, t));
+        }
+        if (first >= last) return;
+        const Vec2 a = from + first * way, b = last == 1 ? to : Vec2(from + last * way);
         if (picture_.lines.empty() || length(picture_.lines.back().back() - a) > tiny) picture_.lines.push_back({a});
         picture_.lines.back().push_back(b);
     }

@@ -59,13 +59,21 @@ void draw_panels(AppState& state, Ui& ui) {
         splitter("##split_bottom", {middle_x, y}, {middle_width, grip}, false, -1, theme.scale, ui.bottom, 70, 500);
         problems_panel(state, ui, {middle_x, y + grip}, {middle_width, bottom});
     }
-    hierarchy_panel(state, ui, {0, top}, {left, height});
+    const float palette_height = state.show_palette ? theme.px(std::min(ui.palette_height, 0.6f * height / theme.scale)) : 0;
+    const float tree_height = height - palette_height - (palette_height > 0 ? grip : 0);
+    hierarchy_panel(state, ui, {0, top}, {left, tree_height});
+    if (palette_height > 0) {
+        splitter("##split_palette", {0, top + tree_height}, {left, grip}, false, -1, theme.scale, ui.palette_height, 120, 0.6f * height / theme.scale);
+        palette_panel(state, ui, {0, top + tree_height + grip}, {left, palette_height});
+    }
     splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, ui.left, 160, widest);
     inspector_panel(state, ui, {window.x - right, top}, {right, height});
     splitter("##split_right", {window.x - right - grip, top}, {grip, height}, true, -1, theme.scale, ui.right, 240, widest);
     status_bar(state, ui, {0, window.y - status}, {window.x, status});
 
+    carry_from_palette(state, ui);
     path_dialog(state, ui);
+    starter_dialog(state, ui);
     prompt_dialog(state, ui);
     recovery_dialog(state, ui);
     shortcut_sheet(state, ui);

@@ -1,5 +1,6 @@
 // What the panels remember between frames that is no part of the document: layout, drags in progress, open rows.
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "editor/edit_tools.h"
 #include "editor/handles.h"
 #include "editor/pick.h"
+#include "editor/picture.h"
 #include "editor/snap.h"
 #include "editor/theme/theme.h"
 #include "editor/transform.h"
@@ -45,6 +47,14 @@ struct Handles {
     std::vector<Handle> all{};
 };
 
+/// What can be added, as pictures.
+struct Palette {
+    std::string search{};
+    std::map<std::string_view, Picture> pictures{};  ///< by node type, and of the tables to begin with by their action
+    std::vector<const NodeType*> recent{};           ///< the last one first
+    const NodeType* carried = nullptr;               ///< being dragged onto the table
+};
+
 /// What dragged nodes may stop at, and the box they had when the drag began.
 struct Magnets {
     Box2 box_before{};
@@ -64,6 +74,9 @@ struct Ui {
     std::string filter;     ///< of the hierarchy
 
     NodeDrag drag;
+    Palette palette;
+    float palette_height = 300;  ///< design pixels
+    int starter = 0;             ///< chosen of the tables to begin with
     Magnets magnets;
     TransformDrag transform;
     Handles handles;
@@ -115,6 +128,11 @@ Problems problems_of(const AppState& state);
 void table_mouse(AppState& state, Ui& ui);
 bool cancel_drag(AppState& state, Ui& ui);
 
+/// A picture as large as fits a place.
+void draw_picture(ImDrawList& list, const Picture& picture, ImVec2 place, ImVec2 size, ImU32 color, float width);
+/// What is dragged out of the palette follows the mouse and is added where it is let go over the table.
+void carry_from_palette(AppState& state, Ui& ui);
+
 // Handles of the selected node: found anew when it changed; under the mouse (-1: none); taken hold of; dragged; drawn.
 void look_for_handles(const AppState& state, Ui& ui);
 int handle_under_mouse(const AppState& state, const Ui& ui);
@@ -133,12 +151,14 @@ float menu_bar(AppState& state, Ui& ui);  ///< returns its height
 void hierarchy_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void palette_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void transport_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void path_dialog(AppState& state, Ui& ui);
 void prompt_dialog(AppState& state, Ui& ui);
 void recovery_dialog(AppState& state, Ui& ui);
+void starter_dialog(AppState& state, Ui& ui);
 void shortcut_sheet(AppState& state, Ui& ui);
 
 /// All of them, laid out in the window.

@@ -130,7 +130,9 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     list.PushClipRect(position, {position.x + size.x, position.y + size.y}, true);
     draw_marks(state, ui, list);
     if (ui.hovered && !state.selection.contains(ui.hovered) && !ui.drag.active()) name_tag(state, theme, list, ui.hovered, palette::text);
-    for (const NodeId node : state.selection.nodes()) name_tag(state, theme, list, node, palette::accent);
+    const bool on_handle = ui.handle_drag.active() || handle_under_mouse(state, ui) >= 0;  // whose words stand there
+    for (const NodeId node : state.selection.nodes())
+        if (!on_handle) name_tag(state, theme, list, node, palette::accent);
     draw_handles(state, ui, list);
     draw_transform(state, ui, list);
     draw_guides(state, ui, list);

@@ -31,8 +31,10 @@ std::vector<ScreenText> screen_texts() {
                 const ImVec2 pen{corner.pos.x - glyph->X0, corner.pos.y - glyph->Y0};
                 const float space = font->FindGlyph(' ')->AdvanceX;
                 const bool goes_on = std::fabs(pen.y - pen_y) < 0.5f && pen.x > pen_x - 2 && pen.x < pen_x + 1.5f * space;
-                if (!goes_on) out.push_back({"", pen});
-                else if (pen.x > pen_x + 0.5f * space) out.back().text += ' ';
+                if (!goes_on)
+                    out.push_back({"", pen});
+                else if (pen.x > pen_x + 0.5f * space)
+                    out.back().text += ' ';
                 out.back().text += glyph->Codepoint < 128 ? static_cast<char>(glyph->Codepoint) : '?';
                 pen_x = pen.x + glyph->AdvanceX;
                 pen_y = pen.y;

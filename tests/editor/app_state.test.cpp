@@ -28,7 +28,7 @@ TEST_CASE("a clean table is left without a question") {
         CHECK(state.quit);
     }
     SECTION("for a new one") {
-        run(state, "file.new");
+        run(state, "new.blank");
         CHECK(state.document.path().empty());
     }
     SECTION("to open another") {
@@ -42,10 +42,10 @@ TEST_CASE("unsaved work is asked about before it would be lost") {
     const Folder folder;
     AppState state = touched_state(folder);
     const std::string mine = state.document.source().text();
-    const std::string action = GENERATE("app.quit", "file.new", "file.open");
+    const std::string action = GENERATE("app.quit", "new.blank", "file.open");
     const auto gone_on = [&] {
         return action == "app.quit"   ? state.quit
-               : action == "file.new" ? state.document.path().empty()
+               : action == "new.blank" ? state.document.path().empty()
                                       : state.dialog_action == "file.open";
     };
     run(state, action);
@@ -81,8 +81,8 @@ TEST_CASE("unsaved work is asked about before it would be lost") {
 
 TEST_CASE("saving a table without a file asks for its path, and then goes on with what was asked") {
     const Folder folder;
-    AppState state(catalog(), Document::untitled(catalog()));
-    REQUIRE(edit(state, change(state.document, "pop", "kick", 1.0), "Kick harder"));
+    AppState state(catalog(), untitled());
+    REQUIRE(edit(state, change(state.document, "pop", "kick", 2.0), "Kick harder"));
     run(state, "app.quit");
     run(state, "prompt.save");
     REQUIRE(state.dialog_action == "file.save_as");

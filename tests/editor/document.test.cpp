@@ -247,7 +247,7 @@ TEST_CASE("a file with errors opens and says what is wrong") {
 }
 
 TEST_CASE("a new table is whole and clean, and has no file to save to") {
-    Document document = Document::untitled(catalog());
+    Document document = untitled();
     CHECK(document.diagnostics().empty());
     CHECK_FALSE(document.dirty());
     CHECK_FALSE(document.save());

@@ -58,7 +58,7 @@ TEST_CASE("a clean document has no journal, an edited one has, a saved one has n
     SECTION("undone") { run(state, "edit.undo"); }
     SECTION("reloaded") { run(state, "file.reload"); }
     SECTION("discarded for another table") {
-        run(state, "file.new");
+        run(state, "new.blank");
         CHECK(journals_in(folder) == 1);
         run(state, "prompt.discard");
     }
@@ -240,7 +240,7 @@ TEST_CASE("work of one table is offered with that table only, whatever its path 
     folder.write("other.yaml", pen);
     fs::create_symlink(folder.file("table.yaml"), folder.file("link.yaml"));
     leave_work(folder);
-    AppState state(catalog(), Document::untitled(catalog()));
+    AppState state(catalog(), untitled());
     keep_work(state, folder.file("journals"));
     CHECK_FALSE(state.recovery);
     open_file(state, folder.file("other.yaml"));
@@ -253,7 +253,7 @@ TEST_CASE("work on another table is named, and left alone") {
     const Folder folder;
     folder.write("table.yaml", pen);
     leave_work(folder);
-    AppState state(catalog(), Document::untitled(catalog()));
+    AppState state(catalog(), untitled());
     keep_work(state, folder.file("journals"));
     CHECK_FALSE(state.recovery);
     CHECK_THAT(state.message, Catch::Contains("unsaved work on") && Catch::Contains("table.yaml"));
@@ -307,7 +307,7 @@ TEST_CASE("a file that is gone is told apart from edits") {
         for (int i = 0; i < 2; ++i) look_at_disk(state);
         advance(state, 1);
     }
-    AppState state(catalog(), Document::untitled(catalog()));
+    AppState state(catalog(), untitled());
     keep_work(state, folder.file("journals"));
     REQUIRE(state.recovery);
     CHECK(state.recovery->orphan.work.text == pen);
@@ -318,14 +318,14 @@ TEST_CASE("a new table's work, and that of a file that is gone, is offered with 
     const Folder folder;
     folder.write("table.yaml", pen);
     {
-        AppState state(catalog(), Document::untitled(catalog()));
+        AppState state(catalog(), untitled());
         keep_work(state, folder.file("journals"));
         kick(state, 3);
         CHECK(unsaved_work(state.document).table.empty());
     }
     leave_work(folder);
     fs::remove(folder.file("table.yaml"));
-    AppState state(catalog(), Document::untitled(catalog()));
+    AppState state(catalog(), untitled());
     keep_work(state, folder.file("journals"));
     REQUIRE(state.recovery);
     CHECK(state.more_to_recover.size() == 1);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "editor/app_state.h"
+#include "editor/starters.h"
 #include "engine/scene/catalog.h"
 
 namespace pinfield::editor::test {
@@ -75,6 +76,10 @@ inline NodeId id_of(const Document& document, std::string_view path) {
     const Node* node = document.scene().find(path);
     return node ? node->id : NodeId{};
 }
+
+inline Document untitled() { return Document::untitled(catalog(), starters().front().text); }
+
+inline AppState untitled_state() { return {catalog(), untitled()}; }
 
 /// An edit of a node's field by name.
 inline SetField change(const Document& document, std::string_view node, std::string_view field, Value value) {
