@@ -27,6 +27,7 @@ const std::vector<Action>& all_actions() {
         {"edit.duplicate", "Duplicate", "Edit", "Ctrl+D", "Copy the selected nodes beside themselves."},
         {"edit.delete", "Delete", "Edit", "Delete", "Take the selected nodes out, with all in them."},
         {"edit.select_all", "Select all", "Select", "Ctrl+A", "Select every node of the top level."},
+        {"edit.add_material", "New material", "Edit", "", "Add a material with default values."},
         {"edit.group", "Group", "Edit", "Ctrl+G", "Put the selected nodes into a group of their own."},
         {"edit.unwrap", "Unwrap", "Edit", "Ctrl+Shift+G", "Take the children out of a group or operator; they stay where they are."},
         {"edit.rename", "Rename", "Edit", "F2", "Give the selected node another id; all that names it follows."},

@@ -92,11 +92,12 @@ bool App::press_key(std::string_view key, bool down) {
     return code >= 0;
 }
 
-std::optional<Vec2> App::find_words(std::string_view words) const {
+std::optional<Vec2> App::find_words(std::string_view words, std::string_view panel) const {
     const ScreenText* best = nullptr;
     const std::vector<ScreenText> texts = screen_texts();
+    const std::string window = panel.empty() ? "" : "##" + std::string(panel);
     for (const ScreenText& text : texts)
-        if (text.text == words || (text.text.starts_with(words) && (!best || best->text != words))) best = &text;
+        if (text.window.starts_with(window) && (text.text == words || (text.text.starts_with(words) && (!best || best->text != words)))) best = &text;
     if (!best) return {};
     return Vec2(best->at.x + 0.5 * ImGui::CalcTextSize(best->text.c_str()).x, best->at.y + 0.5 * ImGui::GetFontSize());
 }
@@ -159,7 +160,8 @@ void App::take_key(int code, bool down) {
     const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node;
     if (asks) return;
     const bool plain = !control_ && !alt_;
-    if (typing && (plain || !control_)) return;
+    // Keys and the chords of every text field are the text's.
+    if (typing && (plain || !control_ || std::string_view("ACVXYZ").find(key) != std::string_view::npos)) return;
     // The table's own keys come first: a game is to be played with whatever keys its author chose.
     if (plain && editor::press_key(state_, key, true)) return;
     std::string chord = control_ ? "Ctrl+" : "";

@@ -43,7 +43,7 @@ public:
     void press_mouse(int button, bool down) override { window_->on_button(button, down); }
     void scroll(double notches) override { window_->on_scroll(0, notches); }
     void type(unsigned character) override { window_->on_text(character); }
-    std::optional<Vec2> find_words(std::string_view words) const override;
+    std::optional<Vec2> find_words(std::string_view words, std::string_view panel) const override;
     bool press_key(std::string_view key, bool down) override;
     /// Draws a frame without a tick and writes it as a PNG.
     Result<bool> screenshot(const std::string& path) override;

@@ -144,6 +144,7 @@ std::span<const Handler> edit_handlers() {
         {"edit.duplicate", has_selection, duplicate},
         {"edit.delete", has_selection, delete_selection},
         {"edit.select_all", always, select_all},
+        {"edit.add_material", [](const AppState& s) { return !s.document.previewing(); }, [](AppState& s) { take(s, new_material(s.document)); }},
         {"edit.group", has_selection, group},
         {"edit.unwrap", has_selection, unwrap},
         {"edit.rename", has_selection, [](AppState& s) { s.renaming = s.selection.primary(); }},

@@ -34,8 +34,8 @@ std::string_view part_of(std::string_view text, int i) {
 
 int decimals_of(double step) {
     const std::string text = to_text(step);
-    const std::size_t point = text.find('.');
-    if (text.find('e') != std::string::npos) return 17;
+    const std::size_t point = text.find('.'), exponent = text.find("e-");
+    if (exponent != std::string::npos) return std::stoi(text.substr(exponent + 2)) + (point == std::string::npos ? 0 : static_cast<int>(exponent - point - 1));
     return point == std::string::npos ? 0 : static_cast<int>(text.size() - point - 1);
 }
 

@@ -18,8 +18,9 @@ public:
     virtual void press_mouse(int button, bool down) = 0;  ///< 0 left, 1 right, 2 middle
     virtual void scroll(double notches) = 0;
     virtual void type(unsigned character) = 0;
-    /// The middle of words on the screen, in window pixels: of a text that is just so, else of one that begins so, the topmost.
-    virtual std::optional<Vec2> find_words(std::string_view words) const = 0;
+    /// The middle of words on the screen (in a panel, where one is named), in window pixels: of a text that is just so, else of one that
+    /// begins so, the topmost.
+    virtual std::optional<Vec2> find_words(std::string_view words, std::string_view panel) const = 0;
     virtual bool press_key(std::string_view key, bool down) = 0;  ///< false when no keyboard has it
     /// Writes the frame drawn last as a PNG.
     virtual Result<bool> screenshot(const std::string& path) = 0;

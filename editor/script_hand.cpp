@@ -37,8 +37,11 @@ ScriptRunner::Frame ScriptRunner::run_hand(const ScriptStep& step, const AppStat
 
 bool ScriptRunner::find(const ScriptPoint& point, const AppState& state, const ScriptHost& host, Vec2& pixel) {
     if (!point.place) {
-        const std::optional<Vec2> found = host.find_words(point.words);
-        if (!found) return fail(fmt::format("nothing on the screen reads \"{}\"", point.words)), false;
+        const std::optional<Vec2> found = host.find_words(point.words, point.panel);
+        if (!found) {
+            const std::string where = point.panel.empty() ? "on the screen" : "in the " + point.panel;
+            return fail(fmt::format("nothing {} reads \"{}\"", where, point.words)), false;
+        }
         pixel = *found;
         return true;
     }

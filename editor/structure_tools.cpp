@@ -13,6 +13,7 @@
 #include "engine/io/fragment.h"
 #include "engine/io/structure_patch.h"
 #include "engine/scene/validate.h"
+#include "engine/sdf/kernels.h"
 
 namespace pinfield::editor {
 namespace {
@@ -211,6 +212,22 @@ Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, c
     return commit(document, plan, fmt::format("Add {}", type.key()), {id});
 }
 
+Outcome new_material(Document& document) {
+    const Scene& scene = document.scene();
+    const auto is_taken = [&](const std::string& name) {
+        return std::any_of(scene.materials().begin(), scene.materials().end(), [&](NodeId id) { return scene.find(id)->name == name; });
+    };
+    std::string name = "material";
+    for (int i = 2; is_taken(name); ++i) name = fmt::format("material_{}", i);
+    Scene workshop(scene.shared_catalog());
+    const NodeId made = workshop.add_material(name).id;
+    EditPlan plan(scene);
+    Subtree nodes = plan.scene().with_new_ids(workshop.copy(made));
+    const NodeId id = nodes.front().id;
+    plan.add(Insert{{}, static_cast<int>(scene.materials().size()), std::move(nodes)});
+    return commit(document, plan, fmt::format("Add {}", name), {id});
+}
+
 Outcome wrap_nodes(Document& document, std::span<const NodeId> nodes, const NodeType& type) {
     const std::vector<NodeId> chosen = outermost(document.scene(), nodes);
     if (chosen.empty()) return {{}, {}, "nothing that can be wrapped is selected"};
@@ -229,7 +246,15 @@ Outcome wrap_nodes(Document& document, std::span<const NodeId> nodes, const Node
     const NodeId wrapper = workshop.add(type).id;
     Node node = plan.scene().with_new_ids(workshop.copy(wrapper)).front();
     const NodeId id = node.id;
+    const bool shows_copies = type.kernels && type.kernels->images;
+    if (shows_copies) {
+        const Vec2 middle = 0.5 * plan.scene().table().get<Vec2>("size"), local = world_of(plan.scene(), parent).inverse() * middle;
+        at(node.fields, *type.find_field("at")) = {Vec2(std::round(local.x() * 1e3) / 1e3, std::round(local.y() * 1e3) / 1e3), true, {}};
+    }
+    const Similarity children_from_parent = parent_from_local(node).inverse();
     plan.add(Wrap{parent, plan.scene().index_of(chosen.front()), static_cast<int>(chosen.size()), std::move(node)});
+    for (const NodeId child : chosen)
+        if (shows_copies) place(plan, child, children_from_parent * parent_from_local(*plan.scene().find(child)));
     return commit(document, plan, fmt::format("{} in {}", label_of(document.scene(), "Put", chosen), type.key()), {id});
 }
 

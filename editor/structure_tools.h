@@ -62,7 +62,11 @@ Subtree new_nodes(const std::shared_ptr<const Catalog>& catalog, const NodeType&
 /// Such a node at a place of the world.
 Outcome insert_new(Document& document, const NodeType& type, const Spot& spot, const Vec2& world);
 
-/// Nodes with all in them into a new node of `type`, where the first of them is. Their places in the world stay.
+/// A material with default values under a name that is free.
+Outcome new_material(Document& document);
+
+/// Nodes with all in them into a new node of `type`, where the first of them is. Their places in the world stay. What shows
+/// copies of them (mirror, repeat) stands in the middle of the table, so that the copies are on it.
 Outcome wrap_nodes(Document& document, std::span<const NodeId> nodes, const NodeType& type);
 /// The children of nodes into their place; what the node gave them (place, material, layer) becomes their own.
 Outcome unwrap_nodes(Document& document, std::span<const NodeId> nodes);

@@ -276,6 +276,23 @@ void names_control(const Row& row) {
     ImGui::EndGroup();
 }
 
+/// The materials that there are, to choose from.
+void material_control(const Row& row) {
+    const Theme& theme = row.theme();
+    const std::string chosen = std::get<std::string>(row.value());
+    if (!begin_combo(theme, "##material", chosen.empty() ? "inherited" : chosen.c_str(), row.width)) return;
+    std::optional<std::string> next;
+    if (ImGui::Selectable("inherited", chosen.empty())) next = "";
+    for (const NodeId id : row.state.document.scene().materials()) {
+        const std::string& name = row.state.document.scene().find(id)->name;
+        if (ImGui::Selectable(name.c_str(), name == chosen)) next = name;
+    }
+    ImGui::EndCombo();
+    if (!next) return;
+    const Value value = next->empty() ? row.field().initial : Value(*next);
+    edit(row.state, {row.node.id, row.index, value, !next->empty()}, change_label(row.state.document.scene(), row.node.id, row.index));
+}
+
 void control(const Row& row) {
     if (row.ui.typing.is(row.node.id, row.index, -1)) return typing_field(row, row.width);
     switch (row.field().kind) {
@@ -288,8 +305,10 @@ void control(const Row& row) {
         case FieldKind::choices: return choices_control(row);
         case FieldKind::color: return color_control(row);
         case FieldKind::names: return names_control(row);
-        case FieldKind::text:
-        case FieldKind::id: return text_control(row, row.width, std::get<std::string>(row.value()), "none");
+        case FieldKind::id:
+            if (row.field().meta.meaning == Meaning::material) return material_control(row);
+            [[fallthrough]];
+        case FieldKind::text: return text_control(row, row.width, std::get<std::string>(row.value()), "none");
     }
 }
 

@@ -39,6 +39,7 @@ public:
             record(scene_.physics(), 0);
             if (heading("Materials", scene_.materials().size()))
                 for (const NodeId id : scene_.materials()) record(*scene_.find(id), 1);
+            if (plus_at_heading()) adds_material_ = true;
             if (heading("Scene", scene_.roots().size()))
                 for (const NodeId id : scene_.roots()) subtree(*scene_.find(id), 1);
         } else {
@@ -50,6 +51,7 @@ public:
         if (reveal_) ui_.revealed = state_.selection.primary();
         if (!rename_drawn_) ui_.renaming = {};  // no row, no typing
         if (renamed_.first) take(state_, rename_node(state_.document, renamed_.first, renamed_.second));
+        if (adds_material_) run(state_, "edit.add_material");
         if (dropped_) take(state_, move_nodes(state_.document, dropped_nodes_, *dropped_, !ImGui::GetIO().KeyCtrl));
         if (!clicked_) return;
         const bool more = ImGui::GetIO().KeyCtrl || ImGui::GetIO().KeyShift;
@@ -75,6 +77,19 @@ private:
         const float w = theme.small->CalcTextSizeA(theme.small->FontSize, 1e9f, 0, number.c_str()).x;
         list.AddText(theme.small, theme.small->FontSize, {place.x + width - w - theme.px(8), y}, ink(palette::faint), number.c_str());
         return *open;
+    }
+
+    /// A plus below the materials; whether it was clicked.
+    bool plus_at_heading() {
+        const Theme& theme = ui_.theme;
+        const ImVec2 place = ImGui::GetCursorScreenPos();
+        const float width = ImGui::GetContentRegionAvail().x, height = theme.px(24);
+        const bool clicked = ImGui::InvisibleButton("new material", {width, height});
+        const Tint color = ImGui::IsItemHovered() ? palette::text : palette::faint;
+        tooltip(theme, "A new material with default values");
+        ImGui::GetWindowDrawList()->AddText(theme.small, theme.small->FontSize, {place.x + theme.px(44), place.y + 0.5f * (height - theme.small->FontSize)},
+                                            ink(color), "+ New material");
+        return clicked;
     }
 
     void arrow(ImVec2 c, bool open) const {
@@ -245,7 +260,7 @@ private:
     std::pair<NodeId, std::string> renamed_;
     std::vector<NodeId> dropped_nodes_;
     std::optional<Spot> dropped_;
-    bool reveal_ = false, rename_drawn_ = false;
+    bool reveal_ = false, rename_drawn_ = false, adds_material_ = false;
 };
 
 /// After the rows are done: what the menu does may replace the scene that they are drawn from.

@@ -50,11 +50,13 @@ bool cell(AppState& state, Ui& ui, const NodeType& type) {
     return twice;
 }
 
+/// What was added stands among the recent ones, and the search is over.
 void remember(Ui& ui, const NodeType& type) {
     std::vector<const NodeType*>& recent = ui.palette.recent;
     std::erase(recent, &type);
     recent.insert(recent.begin(), &type);
     if (recent.size() > most_recent) recent.pop_back();
+    ui.palette.search.clear();
 }
 
 void cells(AppState& state, Ui& ui, const char* title, const std::vector<const NodeType*>& types) {

@@ -32,7 +32,7 @@ std::vector<ScreenText> screen_texts() {
                 const float space = font->FindGlyph(' ')->AdvanceX;
                 const bool goes_on = std::fabs(pen.y - pen_y) < 0.5f && pen.x > pen_x - 2 && pen.x < pen_x + 1.5f * space;
                 if (!goes_on)
-                    out.push_back({"", pen});
+                    out.push_back({"", pen, list._OwnerName ? list._OwnerName : ""});
                 else if (pen.x > pen_x + 0.5f * space)
                     out.back().text += ' ';
                 out.back().text += glyph->Codepoint < 128 ? static_cast<char>(glyph->Codepoint) : '?';

@@ -11,6 +11,7 @@ namespace pinfield::editor {
 struct ScreenText {
     std::string text;  ///< characters beyond ASCII as '?'
     ImVec2 at{0, 0};
+    std::string window{};  ///< that it is drawn in
 };
 
 /// Call after ImGui::Render(). A character is the textured rectangle whose texture coordinates are one glyph's of the atlas.

@@ -133,8 +133,11 @@ void count_spellings(const Scene& scene, const Node& node, Unit unit, Spellings&
     }
 }
 
-/// Where a new field goes: before the children, which are the longest part of a node and stay last.
-std::size_t index_for_new_field(const YamlNode& map) {
+/// Where a new field goes: the id first and the place behind it, as people write nodes; others before the children, which are the longest
+/// part of a node and stay last.
+std::size_t index_for_new_field(const YamlNode& map, const FieldType& field) {
+    if (field.common && field.meta.meaning == Meaning::id) return 0;
+    if (field.common && field.key == "at") return map.entries() > 0 && map.key(0).text == "id" ? 1 : 0;
     for (std::size_t i = 0; i < map.entries(); ++i)
         if (map.key(i).text == "children") return i;
     return map.entries();
@@ -217,7 +220,7 @@ Result<Splice> splice_for(const Reading& now, const Node& node, const SetField& 
         if (!edit.is_explicit) return remove_entry(text, body, i);
         return value_splice(text, field, body.value(i), slot.value, edit.value);
     }
-    return insert_entry(text, body, index_for_new_field(body), new_entry());
+    return insert_entry(text, body, index_for_new_field(body, field), new_entry());
 }
 
 }  // namespace pinfield

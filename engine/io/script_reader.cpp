@@ -71,15 +71,19 @@ void read_count(ReadContext& context, std::string_view key, const YamlNode& valu
         out = static_cast<int>(std::get<std::int64_t>(*read));
 }
 
-/// [x, y] is a place on the table, a word or text words on the screen.
+/// [x, y] is a place on the table, a word or text words on the screen, {panel: words} words in a panel.
 void read_point(ReadContext& context, std::string_view key, const YamlNode& value, ScriptPoint& out) {
-    if (value.kind == YamlKind::sequence)
+    if (value.kind == YamlKind::sequence) {
         out.place = read_place(context, key, value);
-    else if (value.kind == YamlKind::scalar && key != "at")
+    } else if (value.kind == YamlKind::scalar && key != "at") {
         out.words = std::string(value.text);
-    else
-        context.report(Code::wrong_shape, value.span,
-                       fmt::format("{} is a place: [x, y] in metres{}", key, key == "at" ? "" : ", or words on the screen"));
+    } else if (value.kind == YamlKind::map && value.entries() == 1 && value.value(0).resolved().kind == YamlKind::scalar && key != "at") {
+        out.panel = std::string(value.key(0).text);
+        out.words = std::string(value.value(0).resolved().text);
+    } else {
+        const std::string_view words = key == "at" ? "" : ", or words on the screen";
+        context.report(Code::wrong_shape, value.span, fmt::format("{} is a place: [x, y] in metres{}", key, words));
+    }
 }
 
 void read_names(ReadContext& context, std::string_view key, const YamlNode& value, std::vector<std::string>& out) {

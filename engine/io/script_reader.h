@@ -10,10 +10,11 @@
 
 namespace pinfield {
 
-/// Where a hand goes: a place on the table in metres, or words on the screen.
+/// Where a hand goes: a place on the table in metres, or words on the screen, anywhere or in one of its panels.
 struct ScriptPoint {
     std::optional<Vec2> place;
     std::string words;
+    std::string panel;  ///< {palette: star}: hierarchy, palette, inspector ...
 };
 
 struct ScriptStep {

@@ -30,7 +30,7 @@ public:
     }
     void scroll(double) override {}
     void type(unsigned) override {}
-    std::optional<Vec2> find_words(std::string_view) const override { return {}; }
+    std::optional<Vec2> find_words(std::string_view, std::string_view) const override { return {}; }
     bool press_key(std::string_view key, bool down) override {
         events_.push_back([this, name = std::string(key), down] { editor::press_key(state_, name, down); });
         return key != "Nonsense";

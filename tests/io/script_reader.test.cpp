@@ -31,7 +31,7 @@ TEST_CASE("every kind of step reads") {
                             "- {expect: {node: pop, field: at, value: [0.3, 40cm], tolerance: 1mm}}\n"
                             "- {click: {at: [0.1, 0.2], times: 2, with: [LeftShift], button: right}}\n"
                             "- {click: {on: Add to table}}\n"
-                            "- {drag: {from: star, to: [0.1, 0.1], button: middle}}\n"
+                            "- {drag: {from: {palette: star}, to: [0.1, 0.1], button: middle}}\n"
                             "- {scroll: {at: [0.1, 0.1], by: -2.5}}\n"
                             "- {type: 30mm + 4}\n"
                             "- {insert: {yaml: 'star: {id: s}', parent: pop, index: 2}}\n"
@@ -65,6 +65,7 @@ TEST_CASE("every kind of step reads") {
     CHECK(script.steps[9].from.words == "Add to table");
     CHECK_FALSE(script.steps[9].from.place);
     CHECK(script.steps[10].from.words == "star");
+    CHECK(script.steps[10].from.panel == "palette");
     CHECK(script.steps[10].to.place == Vec2(0.1, 0.1));
     CHECK(script.steps[11].by == -2.5);
     CHECK(script.steps[12].value == "30mm + 4");

@@ -112,7 +112,7 @@ TEST_CASE("a new field is written in the unit of its neighbours, else of the fil
     CHECK(edited_node("- circle: {at: [5mm, 0]}\n", "circle[0]", "radius", 0.03) ==
           "- circle: {at: [5mm, 0], radius: 30mm}\n");
     CHECK(edited_node("- circle: {radius: 1cm}\n", "circle[0]", "at", Vec2(0.012, 0)) ==
-          "- circle: {radius: 1cm, at: [1.2cm, 0cm]}\n");
+          "- circle: {at: [1.2cm, 0cm], radius: 1cm}\n");
     CHECK(edited_node("- circle: {at: [0.1, 0.2]}\n- circle: {radius: 3mm}\n", "circle[0]", "radius", 0.03) ==
           "- circle: {at: [0.1, 0.2], radius: 0.03}\n- circle: {radius: 3mm}\n");
     CHECK(edited_node("- circle: {}\n- circle: {radius: 3mm}\n- box: {round: 1mm, at: [0.1, 0]}\n", "circle[0]",
@@ -225,7 +225,7 @@ TEST_CASE("edits that touch the same bytes are written one after the other") {
     const auto patched = patch_for(before, edits);
     REQUIRE(patched);
     CHECK(patched->reading.source().text() ==
-          "pinfield: 1\nphysics: {step: 0.002}\nscene:\n- circle: {radius: 0.04, turn: 4, id: c}\n- box: {id: b}\n");
+          "pinfield: 1\nphysics: {step: 0.002}\nscene:\n- circle: {id: c, radius: 0.04, turn: 4}\n- box: {id: b}\n");
     CHECK(patched->readings > 1);
     CHECK(taken_back(patched->patches, before.source().text()) == before.source().text());
     CHECK(patched->reading.scene.find("c")->id == circle.id);
