@@ -20,40 +20,40 @@ void SourceDraft::begin(const Document& document, const Splice& splice) {
                !document.can_redo() && document.dirty();
 }
 
-void SourceDraft::put(const Document& document, std::string text, std::size_t place) {
-    place_ = place;
+void SourceDraft::put(const Document& document, const Splice& splice) {
+    std::string after = spliced(text(document)->text(), splice);
+    place_ = splice.end();
     rest_ = 0;
-    if (!stale(document) && text == document.source().text()) return forget();
-    text_ = std::make_shared<const SourceText>(document.source().name(), std::move(text));
-    problems_.clear();
+    if (!stale(document) && after == document.source().text()) return forget();
+    text_ = std::make_shared<const SourceText>(document.source().name(), std::move(after));
+    for (Diagnostic& problem : problems_) problem.where.span = {carried(problem.where.span.begin, splice), carried(problem.where.span.end, splice)};
+    diagnosed_ = Sources(text_);
     waiting_ = true;
 }
 
 void SourceDraft::type(Document& document, const Splice& splice) {
-    const std::string before = text(document)->text();
-    std::string after = spliced(before, splice);
-    if (after == before) return;
+    const std::shared_ptr<const SourceText> before = text(document);
+    const std::string_view removed = before->slice(splice.removed);
+    if (removed == splice.inserted) return;
     document.cancel_preview();
     if (!text_) begin(document, splice);
     typed_.resize(position_);
-    typed_.push_back(inverse(before, splice));
+    typed_.push_back(inverse(before->text(), splice));
     position_ = typed_.size();
-    put(document, std::move(after), splice.end());
+    put(document, splice);
 }
 
 bool SourceDraft::undo(Document& document) {
     if (!text_ || position_ == 0) return false;
     Splice& step = typed_[--position_];
-    const Splice back = std::exchange(step, inverse(text_->text(), step));
-    put(document, spliced(text_->text(), back), back.end());
+    put(document, std::exchange(step, inverse(text_->text(), step)));
     return true;
 }
 
 bool SourceDraft::redo(Document& document) {
     if (!text_ || position_ == typed_.size()) return false;
     Splice& step = typed_[position_++];
-    const Splice forward = std::exchange(step, inverse(text_->text(), step));
-    put(document, spliced(text_->text(), forward), forward.end());
+    put(document, std::exchange(step, inverse(text_->text(), step)));
     return true;
 }
 

@@ -24,7 +24,7 @@ public:
     bool waiting() const { return waiting_; }
     /// The document has changed since this was begun: it waits for try_again() or discard().
     bool stale(const Document& document) const;
-    /// What is wrong with the pending text, in diagnosed(); none before it is read.
+    /// What is wrong with the pending text as it was read last, at the places where that stands now in diagnosed().
     const Diagnostics& problems() const { return problems_; }
     const Sources& diagnosed() const { return diagnosed_; }
 
@@ -45,7 +45,7 @@ public:
 
 private:
     void begin(const Document& document, const Splice& splice);
-    void put(const Document& document, std::string text, std::size_t place);
+    void put(const Document& document, const Splice& splice);
     void forget();
 
     std::shared_ptr<const SourceText> text_;  ///< null: the document's own
