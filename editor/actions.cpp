@@ -77,6 +77,7 @@ const std::vector<Action>& all_actions() {
         {"view.all", "Frame the table", "View", "Home", "Fit the whole table into the viewport."},
         {"view.zoom_in", "Zoom in", "View", "=", "Closer, about the middle."},
         {"view.zoom_out", "Zoom out", "View", "-", "Farther, about the middle."},
+        {"view.command_palette", "Find a command or node", "View", "Ctrl+Shift+P", "Type a few letters of anything that can be done, or of a node."},
         {"view.source", "Source", "View", "F4", "Show the table's text beside it, or hide it."},
 
         {"view.palette", "Palette", "View", "F8", "Show or hide what can be added, below the tree."},
@@ -89,8 +90,8 @@ const std::vector<Action>& all_actions() {
         {"recover.restore", "Restore", "", "", "Put the unsaved work that was found over the table, as one step."},
         {"recover.discard", "Discard", "", "", "Remove the unsaved work that was found."},
         {"recover.later", "Later", "", "", "Leave the unsaved work that was found for another time."},
-        {"source.try_again", "Try again", "", "", "Read the typed text once more, over the table as it is now."},
-        {"source.discard", "Discard", "", "", "Drop what was typed in the source and does not read."},
+        {"source.try_again", "Try the typed source again", "", "", "Read the typed text once more, over the table as it is now."},
+        {"source.discard", "Discard the typed source", "", "", "Drop what was typed in the source and does not read."},
         {"dialog.accept", "OK", "", "", "Take the path that was typed."},
         {"dialog.cancel", "Cancel", "", "", "Name no path."},
     };

@@ -162,7 +162,7 @@ void App::take_key(int code, bool down) {
         editor::press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
         return;
     }
-    const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.choosing || state_.show_help;
+    const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.choosing || state_.show_help || state_.show_command_palette;
     const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node || ui_.source.focused;
     if (asks) return;
     const bool plain = !control_ && !alt_;

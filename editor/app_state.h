@@ -77,6 +77,7 @@ struct AppState {
     bool quit = false;
     bool show_palette = true;
     bool show_help = false;
+    bool show_command_palette = false;
 };
 
 /// Whether an action can run now; run it. An unknown name is a programming error, a refused one leaves a message.

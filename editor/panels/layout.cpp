@@ -134,6 +134,7 @@ void draw_panels(AppState& state, Ui& ui) {
     prompt_dialog(state, ui);
     recovery_dialog(state, ui);
     shortcut_sheet(state, ui);
+    command_palette(state, ui);
 }
 
 }  // namespace pinfield::editor

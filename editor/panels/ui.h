@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "editor/app_state.h"
+#include "editor/command_search.h"
 #include "editor/edit_tools.h"
 #include "editor/handles.h"
 #include "editor/pick.h"
@@ -80,6 +81,20 @@ struct SourcePanel {
     std::optional<std::size_t> wanted{};  ///< a place to go to
 };
 
+/// What a few letters find, and which of it Enter takes.
+struct CommandPalette {
+    bool open = false;
+    std::string query{};
+    std::vector<Command> commands{};
+    std::vector<FoundCommand> found{};
+    std::size_t chosen = 0;       ///< among `found`
+    bool begins = false;          ///< the text field must take the keyboard in the next frame
+    bool has_keyboard = false;    ///< it has it
+    bool cursor_waits = false;    ///< until it has, to be put behind the text
+    std::string early{};          ///< typed in this frame, in which it has not
+    bool reveals_chosen = false;  ///< scroll so that it is seen
+};
+
 struct Ui {
     Theme theme;
     // Design pixels.
@@ -116,6 +131,7 @@ struct Ui {
     Typing typing;
     Renaming renaming;
     SourcePanel source;
+    CommandPalette commands;
     NodeId menu_node;       ///< row of the tree whose menu is to open
     PathDialog dialog;
     int answer = 0;         ///< the button of a question that Enter presses
@@ -180,6 +196,7 @@ void path_dialog(AppState& state, Ui& ui);
 void prompt_dialog(AppState& state, Ui& ui);
 void recovery_dialog(AppState& state, Ui& ui);
 void starter_dialog(AppState& state, Ui& ui);
+void command_palette(AppState& state, Ui& ui);
 void shortcut_sheet(AppState& state, Ui& ui);
 
 /// All of them, laid out in the window.
