@@ -41,6 +41,7 @@ const std::vector<Action>& all_actions() {
         {"edit.nudge_far_right", "Nudge far right", "", "Shift+Right", "Move the selected nodes by ten steps of the grid."},
         {"edit.nudge_far_up", "Nudge far up", "", "Shift+Up", "Move the selected nodes by ten steps of the grid."},
         {"edit.nudge_far_down", "Nudge far down", "", "Shift+Down", "Move the selected nodes by ten steps of the grid."},
+        {"edit.source", "Type in the source", "Edit", "Ctrl+E", "Go to the selected node's lines in the table's text, and type there."},
         {"select.parent", "Select the parent", "Select", "Alt+Up", "Select what the selected node lies in."},
         {"select.child", "Select the first child", "Select", "Alt+Down", "Select the first node in the selected one."},
         {"select.previous", "Select the one before", "Select", "Alt+Left", "Select the node before, among the same parent's."},
@@ -77,6 +78,8 @@ const std::vector<Action>& all_actions() {
         {"view.all", "Frame the table", "View", "Home", "Fit the whole table into the viewport."},
         {"view.zoom_in", "Zoom in", "View", "=", "Closer, about the middle."},
         {"view.zoom_out", "Zoom out", "View", "-", "Farther, about the middle."},
+        {"view.command_palette", "Find a command or node", "View", "Ctrl+Shift+P", "Type a few letters of anything that can be done, or of a node."},
+        {"view.source", "Source", "View", "F4", "Show the table's text beside it, or hide it."},
 
         {"view.palette", "Palette", "View", "F8", "Show or hide what can be added, below the tree."},
 
@@ -88,6 +91,8 @@ const std::vector<Action>& all_actions() {
         {"recover.restore", "Restore", "", "", "Put the unsaved work that was found over the table, as one step."},
         {"recover.discard", "Discard", "", "", "Remove the unsaved work that was found."},
         {"recover.later", "Later", "", "", "Leave the unsaved work that was found for another time."},
+        {"source.try_again", "Try the typed source again", "", "", "Read the typed text once more, over the table as it is now."},
+        {"source.discard", "Discard the typed source", "", "", "Drop what was typed in the source and does not read."},
         {"dialog.accept", "OK", "", "", "Take the path that was typed."},
         {"dialog.cancel", "Cancel", "", "", "Name no path."},
     };

@@ -43,6 +43,13 @@ std::string character_of(std::string_view key) {
     return key == "Escape" ? "Esc" : std::string(key);
 }
 
+/// Keys that with Ctrl are the text's in which somebody types.
+bool edits_text(std::string_view key) {
+    static constexpr std::string_view keys[] = {"A",    "C",    "V",     "X",    "Y",   "Z",         "Left",
+                                                "Right", "Up",  "Down", "Home", "End", "Backspace", "Delete"};
+    return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
+}
+
 std::string window_title(const Document& document) {
     const std::string& path = document.path();
     const std::string name = path.empty() ? "Untitled" : path.substr(path.find_last_of('/') + 1);
@@ -156,12 +163,11 @@ void App::take_key(int code, bool down) {
         editor::press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
         return;
     }
-    const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.choosing || state_.show_help;
-    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node;
+    const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.choosing || state_.show_help || state_.show_command_palette;
+    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node || ui_.source.focused;
     if (asks) return;
     const bool plain = !control_ && !alt_;
-    // Keys and the chords of every text field are the text's.
-    if (typing && (plain || !control_ || std::string_view("ACVXYZ").find(key) != std::string_view::npos)) return;
+    if (typing && (plain || !control_ || edits_text(key))) return;
     // The table's own keys come first: a game is to be played with whatever keys its author chose.
     if (plain && editor::press_key(state_, key, true)) return;
     std::string chord = control_ ? "Ctrl+" : "";

@@ -33,6 +33,7 @@ void replace_document(AppState& state, Document document) {
     state.session = std::move(session);
     state.selection = {};
     state.entered = {};
+    state.source = {};
     state.disk = DiskState::same;
     run(state, "view.all");
 }
@@ -69,15 +70,22 @@ void go_on(AppState& state, const Prompt& prompt) {
 /// Goes on at once, or asks first when unsaved work would be lost.
 void guard(AppState& state, std::string then_action, std::string path = {}) {
     state.document.cancel_preview();
-    Prompt prompt{fmt::format("{} has unsaved changes.", name_of(state.document)), std::move(then_action), std::move(path)};
-    if (state.document.dirty()) state.prompt = std::move(prompt);
+    const bool pending = state.source.pending();
+    const char* what = pending ? "has text in the source panel that does not read yet" : "has unsaved changes";
+    Prompt prompt{fmt::format("{} {}.", name_of(state.document), what), std::move(then_action), std::move(path)};
+    if (state.document.dirty() || pending) state.prompt = std::move(prompt);
     else go_on(state, prompt);
+}
+
+void say_saved(AppState& state) {
+    const bool pending = state.source.pending();
+    say(state, fmt::format("Saved {}{}", name_of(state.document), pending ? ", but not the text that does not read yet" : ""), pending);
 }
 
 bool save_now(AppState& state) {
     keep_safe(state);  // whoever dies between the save and the end of the journal leaves both with the same text
     const Result<void> saved = state.document.save();
-    if (saved) say(state, fmt::format("Saved {}", name_of(state.document)));
+    if (saved) say_saved(state);
     else say(state, saved.error().message, true);
     return saved.has_value();
 }
@@ -92,7 +100,7 @@ void answer_save(AppState& state) {
     if (state.document.path().empty()) {
         ask_path(state, "file.save_as");
         state.after_dialog = prompt;
-    } else if (save_now(state)) go_on(state, prompt);
+    } else if (save_now(state) && !state.source.pending()) go_on(state, prompt);  // that text is in no file
 }
 
 void answer_discard(AppState& state) { go_on(state, *std::exchange(state.prompt, std::nullopt)); }
@@ -116,10 +124,10 @@ void accept_path(AppState& state) {
     keep_safe(state);
     const Result<void> saved = state.document.save_as(state.dialog_path);
     if (!saved) return say(state, saved.error().message, true);
-    say(state, fmt::format("Saved {}", name_of(state.document)));
+    say_saved(state);
     const std::optional<Prompt> next = state.after_dialog;
     close_dialog(state);
-    if (next) go_on(state, *next);
+    if (next && !state.source.pending()) go_on(state, *next);
 }
 
 void reload(AppState& state) {
@@ -155,6 +163,7 @@ void frame_selection(AppState& state) {
 
 bool has_prompt(const AppState& s) { return s.prompt.has_value(); }
 bool has_recovery(const AppState& s) { return s.recovery.has_value(); }
+bool has_draft(const AppState& s) { return s.source.pending(); }
 bool has_dialog(const AppState& s) { return !s.dialog_action.empty(); }
 
 constexpr Handler handlers[] = {
@@ -165,13 +174,14 @@ constexpr Handler handlers[] = {
     {"new.blank", always, [](AppState& s) { guard(s, "new.blank"); }},
     {"new.cancel", [](const AppState& s) { return s.choosing; }, [](AppState& s) { s.choosing = false; }},
     {"file.open", always, [](AppState& s) { guard(s, "file.open"); }},
-    {"file.save", [](const AppState& s) { return s.document.path().empty() || s.document.dirty(); }, save},
+    {"file.save", [](const AppState& s) { return s.document.path().empty() || s.document.dirty() || s.source.pending(); }, save},
     {"file.save_as", always, [](AppState& s) { ask_path(s, "file.save_as"); }},
     {"file.reload", [](const AppState& s) { return !s.document.path().empty(); }, reload},
     {"app.quit", always, [](AppState& s) { guard(s, "app.quit"); }},
     {"edit.undo", [](const AppState& s) { return s.document.can_undo() || s.document.previewing(); }, undo},
     {"edit.redo", [](const AppState& s) { return s.document.can_redo() && !s.document.previewing(); }, redo},
     {"edit.deselect", always, deselect},
+    {"edit.source", always, [](AppState& s) { s.show_source = s.type_source = true; }},
     {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
     {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},
     {"play.step", always, [](AppState& s) { s.session.single_step(); }},
@@ -187,6 +197,8 @@ constexpr Handler handlers[] = {
     {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
     {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
     {"view.palette", always, [](AppState& s) { s.show_palette = !s.show_palette; }},
+    {"view.command_palette", always, [](AppState& s) { s.show_command_palette = !s.show_command_palette; }},
+    {"view.source", always, [](AppState& s) { s.show_source = !s.show_source; }},
     {"help.keys", always, [](AppState& s) { s.show_help = !s.show_help; }},
     {"prompt.save", has_prompt, answer_save},
     {"prompt.discard", has_prompt, answer_discard},
@@ -194,6 +206,8 @@ constexpr Handler handlers[] = {
     {"recover.restore", has_recovery, restore_work},
     {"recover.discard", has_recovery, discard_work},
     {"recover.later", has_recovery, put_work_off},
+    {"source.try_again", has_draft, [](AppState& s) { s.source.try_again(s.document); }},
+    {"source.discard", has_draft, [](AppState& s) { s.source.discard(); }},
     {"dialog.accept", has_dialog, accept_path},
     {"dialog.cancel", has_dialog, close_dialog},
 };
@@ -229,6 +243,7 @@ bool enabled(const AppState& state, std::string_view action) {
 }
 
 void run(AppState& state, std::string_view action) {
+    state.source.read(state.document);  // typing ends here
     if (enabled(state, action)) return handler_of(action).run(state);
     say(state, fmt::format("{}: not now", find_action(action)->label), true);
 }

@@ -11,6 +11,7 @@
 #include "editor/recovery.h"
 #include "editor/selection.h"
 #include "editor/session.h"
+#include "editor/source_draft.h"
 #include "editor/structure_tools.h"
 #include "editor/view.h"
 
@@ -70,9 +71,13 @@ struct AppState {
     std::optional<Recovery> recovery;    ///< unsaved work on offer, until recover.restore, recover.discard or recover.later
     std::vector<Orphan> more_to_recover; ///< offered after it
     bool choosing = false;      ///< File > New asks which table to begin with
+    SourceDraft source{};       ///< what is typed in the source panel
+    bool show_source = false;
+    bool type_source = false;   ///< the source panel is to take the keyboard
     bool quit = false;
     bool show_palette = true;
     bool show_help = false;
+    bool show_command_palette = false;
 };
 
 /// Whether an action can run now; run it. An unknown name is a programming error, a refused one leaves a message.

@@ -167,6 +167,8 @@ void Document::join_steps() {
     first.ids_after = std::move(second.ids_after);
     first.changes.insert(first.changes.end(), second.changes.begin(), second.changes.end());
     if (saved_position_ == position_) ++lost_steps_;  // what lay between both can no longer be gone to
+    if (first.source_after->text() == first.source_before->text()) history_.pop_back();
+    position_ = history_.size();
     saved_position_ = std::min(saved_position_, position_);
 }
 
@@ -254,24 +256,35 @@ Result<void> Document::reload() {
 
 /// Takes a sound text from the disk as a step of its own, so that undo gives the earlier text back.
 void Document::follow_disk(Reading reading) {
-    replace_text(std::move(reading), "Reload");
+    put(std::move(reading), "Reload", true);
     agree_with_disk();
 }
 
 void Document::restore(std::string text, std::size_t steps) {
     cancel_preview();
     if (text == source().text()) return;
-    replace_text(read_table(named(std::move(text)), catalog_), "Restore unsaved work");
+    put(read(std::move(text)), "Restore unsaved work", true);
     if (steps > 1) lost_steps_ += steps - 1;
 }
 
-/// Puts another text in place of this one, as one step.
-void Document::replace_text(Reading reading, const std::string& label) {
+Reading Document::read(std::string text) const { return read_table(named(std::move(text)), catalog_); }
+
+bool Document::replace_text(Reading reading, const std::string& label) {
+    assert(reading.ok() && "only a text that reads replaces another");
+    cancel_preview();
+    if (reading.source().text() == source().text()) return false;
+    put(std::move(reading), label, false);
+    return true;
+}
+
+/// Another text as one step; none where it is the same. `whole`: the running table is made anew, even where only fields differ.
+void Document::put(Reading reading, const std::string& label, bool whole) {
     if (reading.source().text() == source().text()) return;
-    Step step{label, shared_source(), reading.scene.sources.shared_main(), reading_->scene.all(), {}, {SceneChange{true, {}, 0}}};
+    Step step{label, shared_source(), reading.scene.sources.shared_main(), reading_->scene.all(), {}, {}};
     const std::shared_ptr<const Reading> before = reading_;
     take(std::move(reading), &before->scene);
     step.ids_after = reading_->scene.all();
+    step.changes = whole ? std::vector{SceneChange{true, {}, 0}} : changes_between(before->scene, reading_->scene);
     changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());
     push(std::move(step));
 }

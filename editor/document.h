@@ -7,19 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/scene_change.h"
 #include "engine/core/diagnostic.h"
 #include "engine/core/result.h"
 #include "engine/io/table_reader.h"
 #include "engine/scene/edit.h"
 
 namespace pinfield::editor {
-
-/// What changed in the scene since somebody last asked: one field each, or everything.
-struct SceneChange {
-    bool everything = false;
-    NodeId node;
-    int field = 0;
-};
 
 /// What became of the file on disk.
 enum class DiskState : unsigned char { same, reloaded, broken, conflict, missing };
@@ -58,6 +52,10 @@ public:
     std::optional<std::string> edit(const SetField& edit, const std::string& label);
     /// Any edits, one after the other, as one undo step. Why not, or nothing; then nothing has changed.
     std::optional<std::string> edit(std::span<const Edit> edits, const std::string& label);
+    /// A text as though it were this document's.
+    Reading read(std::string text) const;
+    /// Takes what read() gave in place of the text, as one step; it must be ok(). False, and no step, where the text is the same.
+    bool replace_text(Reading reading, const std::string& label);
 
     bool can_undo() const { return position_ > 0; }
     bool can_redo() const { return position_ < history_.size(); }
@@ -66,7 +64,8 @@ public:
     void redo();
     std::size_t undo_steps() const { return position_; }
     const std::string* undo_label() const;
-    /// Makes the last two steps one, under the first one's name: a copy, and where it was dragged to.
+    /// Makes the last two steps one, under the first one's name: a copy, and where it was dragged to. None is left of two that lead back to
+    /// where the first began.
     void join_steps();
     const std::string* redo_label() const;
 
@@ -104,8 +103,8 @@ private:
     std::optional<std::string> write(std::span<const Edit> edits, const std::string& label);
     void replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids);
     void follow_disk(Reading reading);
-    void replace_text(Reading reading, const std::string& label);
     void agree_with_disk();
+    void put(Reading reading, const std::string& label, bool whole);
     void push(Step step);
 
     std::shared_ptr<const Catalog> catalog_;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
@@ -28,47 +29,103 @@ Tint color_of(const NodeType& type) {
 std::string title_of(const Node& node) { return node.name.empty() ? std::string(node.type->key()) : node.name; }
 
 Problems problems_of(const AppState& state) {
-    Problems problems{state.document.diagnostics(), {}};
+    Problems problems{state.source.problems(), state.document.diagnostics(), {}};
     // The compiler would only repeat what the reader has said.
     if (!has_errors(problems.in_file)) problems.in_program = state.session.problems();
     return problems;
 }
 
+namespace {
+
+/// Widths in screen pixels; 0: not shown.
+struct Columns {
+    float left = 0, right = 0, source = 0;
+    float widest = 0;  ///< that a panel at the side may be drawn, in design pixels
+};
+
+/// The table keeps a quarter of the window. Where that leaves no room for the source too, this takes the inspector's place, then the tree's.
+Columns columns_in(float width, bool with_source, const Ui& ui) {
+    const Theme& theme = ui.theme;
+    Columns columns;
+    columns.widest = 0.4f * width / theme.scale;
+    columns.left = theme.px(std::min(ui.left, columns.widest));
+    columns.right = theme.px(std::min(ui.right, columns.widest));
+    if (!with_source) return columns;
+    const float room = std::floor(width - std::max(width / 4, theme.px(240)));
+    const float wanted = std::min(theme.px(ui.source_width), room), least = std::min(theme.px(280), room);
+    if (columns.left + columns.right + least > room) columns.right = 0;
+    if (columns.left + columns.right + least > room) columns.left = 0;
+    columns.source = std::min(wanted, room - columns.left - columns.right);
+    return columns;
+}
+
+/// The table, what makes it run, and under it what is wrong.
+void middle_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
+    const Theme& theme = ui.theme;
+    const float transport = theme.px(50);
+    const float bottom = ui.problems_open ? theme.px(std::min(ui.bottom, 0.5f * ImGui::GetIO().DisplaySize.y / theme.scale)) : 0;
+    const float view_height = std::max(size.y - transport - bottom - (bottom > 0 ? grip : 0), 40.0f);
+    viewport_panel(state, ui, position, {size.x, view_height});
+    transport_bar(state, ui, {position.x, position.y + view_height}, {size.x, transport});
+    if (bottom <= 0) return;
+    const float y = position.y + view_height + transport;
+    splitter("##split_bottom", {position.x, y}, {size.x, grip}, false, -1, theme.scale, ui.bottom, 70, 500);
+    problems_panel(state, ui, {position.x, y + grip}, {size.x, bottom});
+}
+
+/// The tree, and under it what can be added.
+void left_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
+    const Theme& theme = ui.theme;
+    const float most = 0.6f * size.y / theme.scale, palette = state.show_palette ? theme.px(std::min(ui.palette_height, most)) : 0;
+    const float tree = size.y - palette - (palette > 0 ? grip : 0);
+    hierarchy_panel(state, ui, position, {size.x, tree});
+    if (palette <= 0) return;
+    splitter("##split_palette", {position.x, position.y + tree}, {size.x, grip}, false, -1, theme.scale, ui.palette_height, 120, most);
+    palette_panel(state, ui, {position.x, position.y + tree + grip}, {size.x, palette});
+}
+
+/// Nobody types where nothing is seen.
+void leave_source(AppState& state, Ui& ui) {
+    ui.source.focused = false;
+    ui.source.wanted.reset();
+    state.source.read(state.document);
+}
+
+}  // namespace
+
 void draw_panels(AppState& state, Ui& ui) {
     const Theme& theme = ui.theme;
-    // New problems open their panel once; closing it again is the user's.
-    const std::size_t problems = problems_of(state).count();
+    // New problems open their panel once; closing it again is the user's. Half a word typed in the source does not: it stands there.
+    const std::size_t problems = problems_of(state).of_table();
     if (problems > ui.problems_seen) ui.problems_open = true;
     if (problems == 0) ui.problems_open = ui.problems_open && ui.problems_seen == 0;
     ui.problems_seen = problems;
 
     const ImVec2 window = ImGui::GetIO().DisplaySize;
     const float top = menu_bar(state, ui);
-    const float status = theme.px(28), transport = theme.px(50), grip = std::max(theme.px(3), 2.0f);
-    const float widest = 0.4f * window.x / theme.scale;
-    const float left = theme.px(std::min(ui.left, widest)), right = theme.px(std::min(ui.right, widest));
-    const float bottom = ui.problems_open ? theme.px(std::min(ui.bottom, 0.5f * window.y / theme.scale)) : 0;
+    const float status = theme.px(28), grip = std::max(theme.px(3), 2.0f);
+    const Columns columns = columns_in(window.x - 3 * grip, state.show_source, ui);
+    const float left = columns.left, right = columns.right, source = columns.source;
     const float height = window.y - top - status;
-    const float middle_x = left + grip, middle_width = std::max(window.x - left - right - 2 * grip, 40.0f);
-    const float view_height = std::max(height - transport - bottom - (bottom > 0 ? grip : 0), 40.0f);
+    const float middle_x = left + (left > 0 ? grip : 0), end_x = window.x - right - (right > 0 ? grip : 0);
+    const float source_x = end_x - source, middle_end = source_x - (source > 0 ? grip : 0), middle_width = std::max(middle_end - middle_x, 40.0f);
 
-    viewport_panel(state, ui, {middle_x, top}, {middle_width, view_height});
-    transport_bar(state, ui, {middle_x, top + view_height}, {middle_width, transport});
-    if (bottom > 0) {
-        const float y = top + view_height + transport;
-        splitter("##split_bottom", {middle_x, y}, {middle_width, grip}, false, -1, theme.scale, ui.bottom, 70, 500);
-        problems_panel(state, ui, {middle_x, y + grip}, {middle_width, bottom});
+    middle_column(state, ui, {middle_x, top}, {middle_width, height}, grip);
+    const float widest = columns.widest;
+    if (left > 0) {
+        left_column(state, ui, {0, top}, {left, height}, grip);
+        splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, ui.left, 160, widest);
     }
-    const float palette_height = state.show_palette ? theme.px(std::min(ui.palette_height, 0.6f * height / theme.scale)) : 0;
-    const float tree_height = height - palette_height - (palette_height > 0 ? grip : 0);
-    hierarchy_panel(state, ui, {0, top}, {left, tree_height});
-    if (palette_height > 0) {
-        splitter("##split_palette", {0, top + tree_height}, {left, grip}, false, -1, theme.scale, ui.palette_height, 120, 0.6f * height / theme.scale);
-        palette_panel(state, ui, {0, top + tree_height + grip}, {left, palette_height});
+    if (right > 0) {
+        inspector_panel(state, ui, {window.x - right, top}, {right, height});
+        splitter("##split_right", {end_x, top}, {grip, height}, true, -1, theme.scale, ui.right, 240, widest);
     }
-    splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, ui.left, 160, widest);
-    inspector_panel(state, ui, {window.x - right, top}, {right, height});
-    splitter("##split_right", {window.x - right - grip, top}, {grip, height}, true, -1, theme.scale, ui.right, 240, widest);
+    if (source > 0) {  // after the tree: what is under the mouse there has its lines marked here
+        source_panel(state, ui, {source_x, top}, {source, height});
+        splitter("##split_source", {middle_end, top}, {grip, height}, true, -1, theme.scale, ui.source_width, 240, 2 * widest);
+    } else {
+        leave_source(state, ui);
+    }
     status_bar(state, ui, {0, window.y - status}, {window.x, status});
 
     carry_from_palette(state, ui);
@@ -77,6 +134,7 @@ void draw_panels(AppState& state, Ui& ui) {
     prompt_dialog(state, ui);
     recovery_dialog(state, ui);
     shortcut_sheet(state, ui);
+    command_palette(state, ui);
 }
 
 }  // namespace pinfield::editor

@@ -1,26 +1,13 @@
 #include "editor/panels/ui.h"
+#include "editor/source_places.h"
 #include "editor/widgets/widgets.h"
 
 namespace pinfield::editor {
 
 namespace {
 
-/// The innermost node whose text holds this place.
-NodeId node_at(const Scene& scene, const Place& place) {
-    NodeId best;
-    std::size_t length = static_cast<std::size_t>(-1);
-    for (const NodeId id : scene.all()) {
-        const Place& where = scene.find(id)->where;
-        const std::size_t offset = place.span.begin, begin = where.span.begin, end = where.span.end;
-        if (where.file == place.file && begin <= offset && offset < end && end - begin < length) {
-            best = id;
-            length = end - begin;
-        }
-    }
-    return best;
-}
-
-void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem, const Sources& sources, int index) {
+void problem_row(AppState& state, Ui& ui, const Diagnostic& problem, const Sources& sources, int index) {
+    const Theme& theme = ui.theme;
     const bool error = problem.severity == Severity::error;
     const LineColumn at = sources.line_column(problem.where);
     const ImVec2 place = ImGui::GetCursorScreenPos();
@@ -29,6 +16,7 @@ void problem_row(AppState& state, const Theme& theme, const Diagnostic& problem,
     if (ImGui::InvisibleButton("row", {width, height})) {
         const NodeId node = node_at(state.document.scene(), problem.where);
         if (node) state.selection.set(node);
+        if (sources.find(problem.where)) ui.source.wanted = problem.where.span.begin;
         state.message = problem.hint.empty() ? problem.message : problem.hint;
         state.message_is_problem = error;
     }
@@ -68,8 +56,9 @@ void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     int index = 0;
     // A click may change the document: the lists are a copy.
     const Problems problems = problems_of(state);
-    for (const Diagnostic& problem : problems.in_file) problem_row(state, theme, problem, state.document.diagnosed(), index++);
-    for (const Diagnostic& problem : problems.in_program) problem_row(state, theme, problem, state.document.scene().sources, index++);
+    for (const Diagnostic& problem : problems.in_draft) problem_row(state, ui, problem, state.source.diagnosed(), index++);
+    for (const Diagnostic& problem : problems.in_file) problem_row(state, ui, problem, state.document.diagnosed(), index++);
+    for (const Diagnostic& problem : problems.in_program) problem_row(state, ui, problem, state.document.scene().sources, index++);
     if (index == 0) text_in(theme.body, palette::quiet, "The table reads without a problem.");
     ImGui::PopStyleVar();
     ImGui::EndChild();

@@ -1,18 +1,23 @@
 // What the panels remember between frames that is no part of the document: layout, drags in progress, open rows.
 #pragma once
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "editor/app_state.h"
+#include "editor/command_search.h"
 #include "editor/edit_tools.h"
 #include "editor/handles.h"
 #include "editor/pick.h"
 #include "editor/picture.h"
 #include "editor/snap.h"
+#include "editor/text_cursor.h"
 #include "editor/theme/theme.h"
 #include "editor/transform.h"
 #include "editor/widgets/icons.h"
+#include "editor/yaml_highlight.h"
 
 namespace pinfield::editor {
 
@@ -62,10 +67,38 @@ struct Magnets {
     std::vector<Guide> guides{};  ///< that hold them now
 };
 
+/// The table's text as it is shown, and where somebody types in it.
+struct SourcePanel {
+    std::shared_ptr<const SourceText> shown{};
+    std::vector<Token> tokens{};          ///< of `shown`
+    int widest = 0;                       ///< of its lines, in characters
+    Splice typed{};                       ///< what makes `shown` of the document's text
+    TextCursor cursor{};
+    bool focused = false;                 ///< the keyboard types here
+    bool dragging = false;                ///< the mouse selects text
+    bool reveals_caret = false;           ///< scroll so that the caret is seen
+    NodeId revealed{};                    ///< selection that the panel has scrolled to
+    std::optional<std::size_t> wanted{};  ///< a place to go to
+};
+
+/// What a few letters find, and which of it Enter takes.
+struct CommandPalette {
+    bool open = false;
+    std::string query{};
+    std::vector<Command> commands{};
+    std::vector<FoundCommand> found{};
+    std::size_t chosen = 0;       ///< among `found`
+    bool begins = false;          ///< the text field must take the keyboard in the next frame
+    bool has_keyboard = false;    ///< it has it
+    bool cursor_waits = false;    ///< until it has, to be put behind the text
+    std::string early{};          ///< typed in this frame, in which it has not
+    bool reveals_chosen = false;  ///< scroll so that it is seen
+};
+
 struct Ui {
     Theme theme;
     // Design pixels.
-    float left = 250, right = 324, bottom = 132;
+    float left = 250, right = 324, bottom = 132, source_width = 400;
     bool problems_open = false;
     std::size_t problems_seen = 0;
 
@@ -97,6 +130,8 @@ struct Ui {
     Scrub scrub;
     Typing typing;
     Renaming renaming;
+    SourcePanel source;
+    CommandPalette commands;
     NodeId menu_node;       ///< row of the tree whose menu is to open
     PathDialog dialog;
     int answer = 0;         ///< the button of a question that Enter presses
@@ -116,11 +151,12 @@ Tint color_of(const NodeType& type);
 /// The author's id, else the type's word.
 std::string title_of(const Node& node);
 
-/// What is wrong: in the file and, when that reads without an error, in making it run.
+/// What is wrong: in what is being typed, in the file and, when that reads without an error, in making it run.
 struct Problems {
-    Diagnostics in_file, in_program;
-    std::size_t count() const { return in_file.size() + in_program.size(); }
-    bool any_error() const { return has_errors(in_file) || has_errors(in_program); }
+    Diagnostics in_draft, in_file, in_program;
+    std::size_t of_table() const { return in_file.size() + in_program.size(); }
+    std::size_t count() const { return in_draft.size() + of_table(); }
+    bool any_error() const { return has_errors(in_draft) || has_errors(in_file) || has_errors(in_program); }
 };
 Problems problems_of(const AppState& state);
 
@@ -153,12 +189,14 @@ void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void palette_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void transport_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void source_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void problems_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void path_dialog(AppState& state, Ui& ui);
 void prompt_dialog(AppState& state, Ui& ui);
 void recovery_dialog(AppState& state, Ui& ui);
 void starter_dialog(AppState& state, Ui& ui);
+void command_palette(AppState& state, Ui& ui);
 void shortcut_sheet(AppState& state, Ui& ui);
 
 /// All of them, laid out in the window.

@@ -13,8 +13,8 @@ namespace pinfield::editor {
 namespace {
 
 ImFont* add_font(const EmbeddedFont& font, float size) {
-    // Latin, Greek (units, angles) and the punctuation and arrows that labels use.
-    static constexpr ImWchar ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2030, 0x203a, 0x2070, 0x209f,
+    // Latin, Greek (units, angles), Cyrillic and the punctuation and arrows that labels use.
+    static constexpr ImWchar ranges[] = {0x0020, 0x017f, 0x0370, 0x052f, 0x2010, 0x2027, 0x2030, 0x203a, 0x2070, 0x209f,
                                          0x20a0, 0x20bf, 0x2190, 0x21ff, 0x2200, 0x22ff, 0x2300, 0x23ff, 0x25a0, 0x25ff, 0};
     ImFontConfig config;
     config.FontDataOwnedByAtlas = false;
@@ -80,6 +80,7 @@ Theme make_theme(float scale, float font_size) {
     theme.strong = add_font(inter_semi_bold, theme.px(14));
     theme.small = add_font(inter_regular, theme.px(12));
     theme.large = add_font(inter_semi_bold, theme.px(20));
+    theme.mono = add_font(dejavu_sans_mono, theme.px(13));
 
     ImGuiStyle style;
     style.WindowPadding = {12, 10};

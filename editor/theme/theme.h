@@ -48,6 +48,7 @@ struct Theme {
     ImFont* strong = nullptr;  ///< headings
     ImFont* small = nullptr;   ///< units, hints
     ImFont* large = nullptr;   ///< counters
+    ImFont* mono = nullptr;    ///< YAML: every character as wide as every other
 
     float px(float design_pixels) const;  ///< whole screen pixels
 };
