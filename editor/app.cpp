@@ -32,17 +32,6 @@ void listen_to_signals() {
         if (std::signal(number, remember_signal) == SIG_IGN) std::signal(number, SIG_IGN);  // as nohup wants it
 }
 
-/// Actions name punctuation keys by the character on them.
-std::string character_of(std::string_view key) {
-    static constexpr std::pair<std::string_view, char> keys[] = {
-        {"Period", '.'}, {"Comma", ','}, {"Slash", '/'}, {"Minus", '-'}, {"Equal", '='}, {"Semicolon", ';'},
-        {"LeftBracket", '['}, {"RightBracket", ']'}, {"Apostrophe", '\''}, {"Backslash", '\\'}, {"GraveAccent", '`'}};
-    for (const auto& [name, character] : keys)
-        if (name == key) return std::string(1, character);
-    if (key.starts_with("Key") && key.size() == 4) return std::string(key.substr(3));
-    return key == "Escape" ? "Esc" : std::string(key);
-}
-
 std::string window_title(const Document& document) {
     const std::string& path = document.path();
     const std::string name = path.empty() ? "Untitled" : path.substr(path.find_last_of('/') + 1);
@@ -124,7 +113,7 @@ void App::draw(int ticks, double seconds) {
     for (const WindowEvent& event : window_->take_events()) bridge_.queue(event);
     for (const WindowEvent& event : bridge_.begin_frame(seconds)) {
         if (event.kind == WindowEvent::Kind::cursor) ui_.mouse = event.place;
-        else if (event.kind == WindowEvent::Kind::key) take_key(event.code, event.down);
+        else if (event.kind == WindowEvent::Kind::key) take_key(event);
         else if (event.kind == WindowEvent::Kind::close) editor::run(state_, "app.quit");
         else if (event.kind == WindowEvent::Kind::drop) open_file(state_, event.path);
         else if (event.kind == WindowEvent::Kind::focus && !event.down) state_.session.release_all();
@@ -146,30 +135,9 @@ int App::due_ticks(double seconds) {
     return static_cast<int>(ticks);
 }
 
-void App::take_key(int code, bool down) {
-    const std::string_view key = key_name(code);
-    if (key == "LeftControl" || key == "RightControl") control_ = down;
-    if (key == "LeftShift" || key == "RightShift") shift_ = down;
-    if (key == "LeftAlt" || key == "RightAlt") alt_ = down;
-    if (!down) {
-        editor::press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
-        return;
-    }
-    const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.choosing || state_.show_help;
+void App::take_key(const WindowEvent& event) {
     const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node;
-    if (asks) return;
-    const bool plain = !control_ && !alt_;
-    if (typing && (plain || !control_)) return;
-    // The table's own keys come first: a game is to be played with whatever keys its author chose.
-    if (plain && editor::press_key(state_, key, true)) return;
-    std::string chord = control_ ? "Ctrl+" : "";
-    if (alt_) chord += "Alt+";
-    if (shift_) chord += "Shift+";
-    const Action* action = action_of(chord + character_of(key));
-    if (!action) action = action_of(chord + std::string(key));
-    // During a drag, Esc and undo take the drag back and nothing more.
-    if (action && action->name.starts_with("edit.") && cancel_drags()) return;
-    if (action && enabled(state_, action->name)) editor::run(state_, action->name);
+    keyboard_.take(state_, {key_name(event.code), event.down, event.repeat}, typing, [this] { return cancel_drags(); });
 }
 
 bool App::cancel_drags() {

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "editor/app_state.h"
+#include "editor/keyboard.h"
 #include "editor/panels/ui.h"
 #include "editor/platform/window.h"
 #include "editor/render/outline_painter.h"
@@ -52,7 +53,7 @@ public:
 private:
     App(AppState state, std::unique_ptr<Window> window, const AppOptions& options);
 
-    void take_key(int code, bool down);
+    void take_key(const WindowEvent& event);
     bool cancel_drags();  ///< whether there was one
     int due_ticks(double seconds);
     void draw(int ticks, double seconds);  ///< all of a frame but showing it
@@ -68,7 +69,7 @@ private:
     OutlinePainter outline_painter_;
     Ui ui_;
     double last_seconds_ = 0, owed_seconds_ = 0, disk_seconds_ = 0;
-    bool control_ = false, shift_ = false, alt_ = false;
+    Keyboard keyboard_;
 };
 
 }  // namespace pinfield::editor

@@ -206,6 +206,10 @@ const Handler& handler_of(std::string_view action) {
     return handlers[0];
 }
 
+bool is_bound(const InputBinding& input, std::string_view key) {
+    return std::any_of(input.keys.begin(), input.keys.end(), [&](const std::string& name) { return key_code(name) == key_code(key); });
+}
+
 /// While a question is open, only its answers count.
 bool blocked(const AppState& state, std::string_view action) {
     if (state.prompt) return !action.starts_with("prompt.");
@@ -223,6 +227,12 @@ AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
     document.take_changes();
     run(*this, "view.all");
 }
+
+bool asks(const AppState& state) {
+    return state.prompt || state.recovery || has_dialog(state) || state.choosing || state.show_help;
+}
+
+bool plays(const AppState& state) { return state.session.playing() && !asks(state); }
 
 bool enabled(const AppState& state, std::string_view action) {
     return !blocked(state, action) && handler_of(action).enabled(state);
@@ -282,7 +292,7 @@ void advance(AppState& state, int ticks) {
     state.session.follow(state.document);
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     if (!state.document.scene().find(state.entered)) state.entered = {};
-    state.session.advance(ticks);
+    if (!asks(state)) state.session.advance(ticks);
 }
 
 void look_at_disk(AppState& state) {
@@ -300,15 +310,15 @@ void look_at_disk(AppState& state) {
     }
 }
 
+bool is_table_key(const AppState& state, std::string_view key) {
+    const std::vector<InputBinding>& inputs = state.document.scene().inputs;
+    return std::any_of(inputs.begin(), inputs.end(), [&](const InputBinding& input) { return is_bound(input, key); });
+}
+
 bool press_key(AppState& state, std::string_view key, bool down) {
-    const int code = key_code(key);
-    bool bound = false;
-    for (const InputBinding& input : state.document.scene().inputs) {
-        if (std::none_of(input.keys.begin(), input.keys.end(), [&](const std::string& name) { return key_code(name) == code; })) continue;
-        state.session.press(input.name, down);
-        bound = true;
-    }
-    return bound;
+    for (const InputBinding& input : state.document.scene().inputs)
+        if (is_bound(input, key)) state.session.press(input.name, down);
+    return is_table_key(state, key);
 }
 
 }  // namespace pinfield::editor

@@ -75,6 +75,11 @@ struct AppState {
     bool show_help = false;
 };
 
+/// Whether something waits for an answer: until it is given the table holds and keys are the answer's alone.
+bool asks(const AppState& state);
+/// Whether the table goes on: it plays, and nothing asks.
+bool plays(const AppState& state);
+
 /// Whether an action can run now; run it. An unknown name is a programming error, a refused one leaves a message.
 bool enabled(const AppState& state, std::string_view action);
 void run(AppState& state, std::string_view action);
@@ -95,10 +100,12 @@ void add_node(AppState& state, const NodeType& type, const std::optional<Vec2>& 
 void wrap_selection(AppState& state, const NodeType& type);
 /// Selects what a structural edit has left, or says why there was none. True when it was done.
 bool take(AppState& state, const Outcome& outcome);
-/// Keeps what changed safe, lets the running table take it, then advances that: once a frame.
+/// Keeps what changed safe, lets the running table take it, then advances that unless something asks: once a frame.
 void advance(AppState& state, int ticks);
 /// Follows the file when it was changed outside: now and then.
 void look_at_disk(AppState& state);
+/// Whether the table binds an input to a key.
+bool is_table_key(const AppState& state, std::string_view key);
 /// A key goes to the inputs that the table binds to it; false when it binds none.
 bool press_key(AppState& state, std::string_view key, bool down);
 

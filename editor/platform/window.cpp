@@ -87,7 +87,7 @@ void Window::attach_callbacks() {
         if (hears(w)) self(w)->on_scroll(dx, dy);
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-        if (hears(w) && action != GLFW_REPEAT && key >= 0) self(w)->on_key(key, action == GLFW_PRESS);
+        if (hears(w) && key >= 0) self(w)->on_key(key, action != GLFW_RELEASE, action == GLFW_REPEAT);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) {
         if (hears(w)) self(w)->on_text(character);
@@ -109,7 +109,9 @@ void Window::on_button(int button, bool down) {
     events_.push_back({.kind = WindowEvent::Kind::button, .code = button, .down = down});
 }
 void Window::on_scroll(double dx, double dy) { events_.push_back({.kind = WindowEvent::Kind::scroll, .place = {dx, dy}}); }
-void Window::on_key(int key, bool down) { events_.push_back({.kind = WindowEvent::Kind::key, .code = key, .down = down}); }
+void Window::on_key(int key, bool down, bool repeat) {
+    events_.push_back({.kind = WindowEvent::Kind::key, .code = key, .down = down, .repeat = repeat});
+}
 void Window::on_text(unsigned character) {
     events_.push_back({.kind = WindowEvent::Kind::text, .character = character});
 }
