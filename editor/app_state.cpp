@@ -246,6 +246,7 @@ void run(AppState& state, std::string_view action) {
 void say(AppState& state, std::string message, bool problem) {
     state.message = std::move(message);
     state.message_is_problem = problem;
+    ++state.said;
 }
 
 void open_file(AppState& state, const std::string& path) {

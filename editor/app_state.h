@@ -60,6 +60,7 @@ struct AppState {
     std::optional<Prompt> prompt;
     std::string message;        ///< status line; what the last action said
     bool message_is_problem = false;
+    int said = 0;               ///< how many messages there were, and how often one went
     std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for, until dialog.accept or
     std::string dialog_path;    ///< dialog.cancel; what the user typed so far
     std::string replaces{};     ///< another file that was asked about: naming it once more replaces it
@@ -73,6 +74,7 @@ struct AppState {
     bool quit = false;
     bool show_palette = true;
     bool show_help = false;
+    double real_time = 1;       ///< share of real time that the table was given of late; less than 1: the computer is too slow
 };
 
 /// Whether something waits for an answer: until it is given the table holds and keys are the answer's alone.

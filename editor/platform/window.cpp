@@ -98,6 +98,9 @@ void Window::attach_callbacks() {
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
         if (hears(w) && count > 0) self(w)->on_drop(paths[0]);
     });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->stale_ = true; });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->stale_ = true; });
+    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { self(w)->stale_ = true; });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);  // the editor asks about unsaved work first
         self(w)->on_close();
@@ -121,7 +124,18 @@ void Window::on_close() { events_.push_back({.kind = WindowEvent::Kind::close});
 
 std::vector<WindowEvent> Window::take_events() {
     glfwPollEvents();
+    stale_ = false;
     return std::exchange(events_, {});
+}
+
+void Window::wait_events(double seconds) { glfwWaitEventsTimeout(seconds); }
+
+bool Window::minimised() const { return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0; }
+
+double Window::frame_period() const {
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return 1.0 / (mode && mode->refreshRate > 0 ? std::clamp(mode->refreshRate, 30, 240) : 60);
 }
 
 void Window::present() { glfwSwapBuffers(window_); }

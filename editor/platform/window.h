@@ -49,6 +49,13 @@ public:
     void listen(bool on) { listening_ = on; }
     /// Fetches what GLFW has, then all that is queued.
     std::vector<WindowEvent> take_events();
+    /// Sleeps until a device does something, at most so many seconds.
+    void wait_events(double seconds);
+    /// Whether something is queued, or the picture must be drawn anew: the window was uncovered, sized, hidden or shown.
+    bool has_events() const { return stale_ || !events_.empty(); }
+    bool minimised() const;
+    /// Seconds between two pictures of the screen.
+    double frame_period() const;
     void present();
 
     Vec2 size() const;         ///< window pixels, what events are in
@@ -72,6 +79,7 @@ private:
     GLFWwindow* window_ = nullptr;
     Gl gl_;
     bool listening_ = true;
+    bool stale_ = true;
     std::vector<WindowEvent> events_;
     std::string title_;
     std::vector<GLFWcursor*> cursors_;

@@ -134,6 +134,8 @@ std::vector<WindowEvent> ImGuiBridge::begin_frame(double seconds) {
         // A press happens where the mouse was, not where it has gone since.
         if (pressed && event.kind == WindowEvent::Kind::cursor) break;
         pressed = pressed || event.kind == WindowEvent::Kind::button;
+        if (is_switch && event.down) held_.insert({event.kind, event.code});
+        else if (is_switch) held_.erase({event.kind, event.code});
         hand_over(event);
         handed.push_back(event);
         pending_.pop_front();
