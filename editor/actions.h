@@ -13,6 +13,7 @@ struct Action {
     std::string_view menu;      ///< "File"; empty: in no menu
     std::string_view shortcut;  ///< may be empty
     std::string_view doc;       ///< one line, the tooltip and the shortcut sheet
+    bool repeats = false;       ///< again and again while its key is held
 };
 
 /// The table, in menu order.

@@ -15,8 +15,10 @@ namespace pinfield::editor {
 namespace {
 
 constexpr double scripted_frame = 1.0 / 60;   ///< seconds, for what only moves on the screen
-constexpr double longest_frame = 0.05;        ///< after a stall the table goes on, it does not catch up
+constexpr double longest_frame = 0.05;        ///< seconds that the table is given at once
 constexpr double disk_period = 0.5;           ///< seconds between looks at the file
+constexpr double clock_period = 0.5;          ///< seconds after which a table at rest shows its clock anew
+constexpr double unseen_pixels = 0.02;        ///< that something may move without a new frame
 
 /// What a signal handler may touch; the loop looks at it.
 volatile std::sig_atomic_t ending_signal = 0;
@@ -30,24 +32,6 @@ void remember_signal(int number) {
 void listen_to_signals() {
     for (const int number : {SIGTERM, SIGINT, SIGHUP})
         if (std::signal(number, remember_signal) == SIG_IGN) std::signal(number, SIG_IGN);  // as nohup wants it
-}
-
-/// Actions name punctuation keys by the character on them.
-std::string character_of(std::string_view key) {
-    static constexpr std::pair<std::string_view, char> keys[] = {
-        {"Period", '.'}, {"Comma", ','}, {"Slash", '/'}, {"Minus", '-'}, {"Equal", '='}, {"Semicolon", ';'},
-        {"LeftBracket", '['}, {"RightBracket", ']'}, {"Apostrophe", '\''}, {"Backslash", '\\'}, {"GraveAccent", '`'}};
-    for (const auto& [name, character] : keys)
-        if (name == key) return std::string(1, character);
-    if (key.starts_with("Key") && key.size() == 4) return std::string(key.substr(3));
-    return key == "Escape" ? "Esc" : std::string(key);
-}
-
-/// Keys that with Ctrl are the text's in which somebody types.
-bool edits_text(std::string_view key) {
-    static constexpr std::string_view keys[] = {"A",    "C",    "V",     "X",    "Y",   "Z",         "Left",
-                                                "Right", "Up",  "Down", "Home", "End", "Backspace", "Delete"};
-    return std::find(std::begin(keys), std::end(keys), key) != std::end(keys);
 }
 
 std::string window_title(const Document& document) {
@@ -83,7 +67,11 @@ App::App(AppState state, std::unique_ptr<Window> window, const AppOptions& optio
 
 int App::run() {
     listen_to_signals();
-    while (!state_.quit && ending_signal == 0) frame();
+    while (!state_.quit && ending_signal == 0) {
+        const double wait = seconds_until_frame();
+        if (wait > 0) rest(wait);
+        else frame();
+    }
     if (!state_.quit && state_.keeper) state_.keeper->sync();
     return state_.quit ? 0 : ending_signal;
 }
@@ -110,12 +98,12 @@ std::optional<Vec2> App::find_words(std::string_view words, std::string_view pan
 }
 
 void App::frame() {
-    if (options_.ticks_per_frame > 0) return frame(options_.ticks_per_frame);
-    const double now = window_->seconds();
-    const double seconds = std::min(now - last_seconds_, longest_frame);
-    last_seconds_ = now;
-    draw(due_ticks(seconds), seconds);
+    frame_seconds_ = window_->seconds();
+    const double passed = passed_seconds();
+    if (options_.ticks_per_frame > 0) draw(options_.ticks_per_frame, scripted_frame);
+    else draw(due_ticks(passed), passed);
     window_->present();
+    pace_.drawn();
 }
 
 void App::frame(int ticks) {
@@ -124,15 +112,12 @@ void App::frame(int ticks) {
 }
 
 void App::draw(int ticks, double seconds) {
-    disk_seconds_ += seconds;
-    if (disk_seconds_ >= disk_period && !state_.document.previewing()) {
-        disk_seconds_ = 0;
-        look_at_disk(state_);
-    }
+    look_around(seconds);
+    shown_messages_ = state_.said;
     for (const WindowEvent& event : window_->take_events()) bridge_.queue(event);
-    for (const WindowEvent& event : bridge_.begin_frame(seconds)) {
+    for (const WindowEvent& event : bridge_.begin_frame(seconds + std::exchange(rested_seconds_, 0))) {
         if (event.kind == WindowEvent::Kind::cursor) ui_.mouse = event.place;
-        else if (event.kind == WindowEvent::Kind::key) take_key(event.code, event.down);
+        else if (event.kind == WindowEvent::Kind::key) take_key(event);
         else if (event.kind == WindowEvent::Kind::close) editor::run(state_, "app.quit");
         else if (event.kind == WindowEvent::Kind::drop) open_file(state_, event.path);
         else if (event.kind == WindowEvent::Kind::focus && !event.down) state_.session.release_all();
@@ -143,10 +128,48 @@ void App::draw(int ticks, double seconds) {
     advance(state_, ticks);
     window_->set_title(window_title(state_.document));
     paint();
+    shown_.take(state_.session.world());
     bridge_.draw();
 }
 
-int App::due_ticks(double seconds) {
+double App::passed_seconds() {
+    const double before = std::exchange(last_seconds_, window_->seconds());
+    return last_seconds_ - before;
+}
+
+void App::look_around(double seconds) {
+    disk_seconds_ += seconds;
+    if (disk_seconds_ < disk_period || state_.document.previewing()) return;
+    disk_seconds_ = 0;
+    look_at_disk(state_);
+}
+
+double App::seconds_until_frame() {
+    const bool runs = plays(state_);
+    const double period = window_->frame_period(), since = window_->seconds() - frame_seconds_;
+    Stir stir;
+    stir.hidden = window_->minimised();
+    stir.events = window_->has_events() || bridge_.wants_frames() || state_.said != shown_messages_;
+    stir.table = runs && (options_.ticks_per_frame > 0 || since >= clock_period || shown_.differs(state_.session.world(), unseen_pixels / canvas().pixels_per_metre));
+    if (pace_.due(stir)) return 0.9 * period - since;
+    return runs && !stir.hidden ? period : disk_period;
+}
+
+void App::rest(double seconds) {
+    window_->wait_events(seconds);
+    const double passed = passed_seconds();
+    rested_seconds_ += passed;
+    look_around(passed);
+    const bool held = window_->minimised() || options_.ticks_per_frame > 0;  // nobody plays a table that nobody sees
+    advance(state_, held ? 0 : due_ticks(passed));
+}
+
+int App::due_ticks(double passed) {
+    // After a stall the table goes on, it does not catch up.
+    const double seconds = std::min(passed, longest_frame);
+    if (plays(state_)) real_time_.add(passed, seconds);
+    else real_time_ = {};
+    state_.real_time = real_time_.share();
     const double step = state_.session.world().step_length();
     owed_seconds_ += seconds;
     const double ticks = std::floor(owed_seconds_ / step);
@@ -154,30 +177,9 @@ int App::due_ticks(double seconds) {
     return static_cast<int>(ticks);
 }
 
-void App::take_key(int code, bool down) {
-    const std::string_view key = key_name(code);
-    if (key == "LeftControl" || key == "RightControl") control_ = down;
-    if (key == "LeftShift" || key == "RightShift") shift_ = down;
-    if (key == "LeftAlt" || key == "RightAlt") alt_ = down;
-    if (!down) {
-        editor::press_key(state_, key, false);  // a key let go is let go, whoever has the keyboard by now
-        return;
-    }
-    const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.choosing || state_.show_help || state_.show_command_palette;
+void App::take_key(const WindowEvent& event) {
     const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node || ui_.source.focused;
-    if (asks) return;
-    const bool plain = !control_ && !alt_;
-    if (typing && (plain || !control_ || edits_text(key))) return;
-    // The table's own keys come first: a game is to be played with whatever keys its author chose.
-    if (plain && editor::press_key(state_, key, true)) return;
-    std::string chord = control_ ? "Ctrl+" : "";
-    if (alt_) chord += "Alt+";
-    if (shift_) chord += "Shift+";
-    const Action* action = action_of(chord + character_of(key));
-    if (!action) action = action_of(chord + std::string(key));
-    // During a drag, Esc and undo take the drag back and nothing more.
-    if (action && action->name.starts_with("edit.") && cancel_drags()) return;
-    if (action && enabled(state_, action->name)) editor::run(state_, action->name);
+    keyboard_.take(state_, {key_name(event.code), event.down, event.repeat}, typing, [this] { return cancel_drags(); });
 }
 
 bool App::cancel_drags() {
@@ -206,8 +208,6 @@ void App::paint() {
     gl.Disable(GL_SCISSOR_TEST);
     gl.ClearColor(palette::backdrop.r, palette::backdrop.g, palette::backdrop.b, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
-    gl.Viewport(whole(canvas.origin.x()), whole(canvas.framebuffer.y() - canvas.origin.y() - canvas.size.y()), whole(canvas.size.x()),
-                whole(canvas.size.y()));
 
     const World& world = state_.session.world();
     const ProgramPtr& program = world.shared_program();

@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "editor/app_state.h"
+#include "editor/keyboard.h"
+#include "editor/pace.h"
 #include "editor/panels/ui.h"
 #include "editor/platform/window.h"
 #include "editor/render/outline_painter.h"
@@ -30,8 +32,8 @@ public:
     void frame();
     /// One frame with so many ticks, whatever the clock says.
     void frame(int ticks);
-    /// Frames until the user quits: 0; or until the system wants the process to end (SIGTERM, SIGINT, SIGHUP): that signal. Unsaved work
-    /// is on disk then.
+    /// Until the user quits: 0; or until the system wants the process to end (SIGTERM, SIGINT, SIGHUP): that signal. Unsaved work is on
+    /// disk then. Frames are drawn where they would show something new, no faster than the screen, and none while nobody sees them.
     int run();
     /// Frames until the script is done: why it failed, or nothing.
     std::string run(ScriptRunner script);
@@ -52,9 +54,14 @@ public:
 private:
     App(AppState state, std::unique_ptr<Window> window, const AppOptions& options);
 
-    void take_key(int code, bool down);
+    double seconds_until_frame();
+    /// Waits for events, at most so long, and does without a frame what must be done now and then.
+    void rest(double seconds);
+    void look_around(double seconds);
+    double passed_seconds();  ///< since it was last asked
+    void take_key(const WindowEvent& event);
     bool cancel_drags();  ///< whether there was one
-    int due_ticks(double seconds);
+    int due_ticks(double passed);
     void draw(int ticks, double seconds);  ///< all of a frame but showing it
     Canvas canvas() const;
     void paint();
@@ -67,8 +74,14 @@ private:
     TablePainter table_painter_;
     OutlinePainter outline_painter_;
     Ui ui_;
+    Keyboard keyboard_;
+    FramePace pace_;
+    ShownTable shown_;
+    RealTime real_time_;
+    int shown_messages_ = 0;
     double last_seconds_ = 0, owed_seconds_ = 0, disk_seconds_ = 0;
-    bool control_ = false, shift_ = false, alt_ = false;
+    double frame_seconds_ = 0;   ///< when the last frame began
+    double rested_seconds_ = 0;  ///< since then
 };
 
 }  // namespace pinfield::editor

@@ -220,6 +220,10 @@ const Handler& handler_of(std::string_view action) {
     return handlers[0];
 }
 
+bool is_bound(const InputBinding& input, std::string_view key) {
+    return std::any_of(input.keys.begin(), input.keys.end(), [&](const std::string& name) { return key_code(name) == key_code(key); });
+}
+
 /// While a question is open, only its answers count.
 bool blocked(const AppState& state, std::string_view action) {
     if (state.prompt) return !action.starts_with("prompt.");
@@ -238,6 +242,12 @@ AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
     run(*this, "view.all");
 }
 
+bool asks(const AppState& state) {
+    return state.prompt || state.recovery || has_dialog(state) || state.choosing || state.show_help || state.show_command_palette;
+}
+
+bool plays(const AppState& state) { return state.session.playing() && !asks(state); }
+
 bool enabled(const AppState& state, std::string_view action) {
     return !blocked(state, action) && handler_of(action).enabled(state);
 }
@@ -251,6 +261,7 @@ void run(AppState& state, std::string_view action) {
 void say(AppState& state, std::string message, bool problem) {
     state.message = std::move(message);
     state.message_is_problem = problem;
+    ++state.said;
 }
 
 void open_file(AppState& state, const std::string& path) {
@@ -297,7 +308,7 @@ void advance(AppState& state, int ticks) {
     state.session.follow(state.document);
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     if (!state.document.scene().find(state.entered)) state.entered = {};
-    state.session.advance(ticks);
+    if (!asks(state)) state.session.advance(ticks);
 }
 
 void look_at_disk(AppState& state) {
@@ -315,15 +326,15 @@ void look_at_disk(AppState& state) {
     }
 }
 
+bool is_table_key(const AppState& state, std::string_view key) {
+    const std::vector<InputBinding>& inputs = state.document.scene().inputs;
+    return std::any_of(inputs.begin(), inputs.end(), [&](const InputBinding& input) { return is_bound(input, key); });
+}
+
 bool press_key(AppState& state, std::string_view key, bool down) {
-    const int code = key_code(key);
-    bool bound = false;
-    for (const InputBinding& input : state.document.scene().inputs) {
-        if (std::none_of(input.keys.begin(), input.keys.end(), [&](const std::string& name) { return key_code(name) == code; })) continue;
-        state.session.press(input.name, down);
-        bound = true;
-    }
-    return bound;
+    for (const InputBinding& input : state.document.scene().inputs)
+        if (is_bound(input, key)) state.session.press(input.name, down);
+    return is_table_key(state, key);
 }
 
 }  // namespace pinfield::editor

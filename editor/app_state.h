@@ -61,6 +61,7 @@ struct AppState {
     std::optional<Prompt> prompt;
     std::string message;        ///< status line; what the last action said
     bool message_is_problem = false;
+    int said = 0;               ///< how many messages there were, and how often one went
     std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for, until dialog.accept or
     std::string dialog_path;    ///< dialog.cancel; what the user typed so far
     std::string replaces{};     ///< another file that was asked about: naming it once more replaces it
@@ -78,7 +79,13 @@ struct AppState {
     bool show_palette = true;
     bool show_help = false;
     bool show_command_palette = false;
+    double real_time = 1;       ///< share of real time that the table was given of late; less than 1: the computer is too slow
 };
+
+/// Whether something waits for an answer: until it is given the table holds and keys are the answer's alone.
+bool asks(const AppState& state);
+/// Whether the table goes on: it plays, and nothing asks.
+bool plays(const AppState& state);
 
 /// Whether an action can run now; run it. An unknown name is a programming error, a refused one leaves a message.
 bool enabled(const AppState& state, std::string_view action);
@@ -100,10 +107,12 @@ void add_node(AppState& state, const NodeType& type, const std::optional<Vec2>& 
 void wrap_selection(AppState& state, const NodeType& type);
 /// Selects what a structural edit has left, or says why there was none. True when it was done.
 bool take(AppState& state, const Outcome& outcome);
-/// Keeps what changed safe, lets the running table take it, then advances that: once a frame.
+/// Keeps what changed safe, lets the running table take it, then advances that unless something asks: once a frame.
 void advance(AppState& state, int ticks);
 /// Follows the file when it was changed outside: now and then.
 void look_at_disk(AppState& state);
+/// Whether the table binds an input to a key.
+bool is_table_key(const AppState& state, std::string_view key);
 /// A key goes to the inputs that the table binds to it; false when it binds none.
 bool press_key(AppState& state, std::string_view key, bool down);
 

@@ -36,6 +36,19 @@ void speed_menu(AppState& state, const Theme& theme) {
     tooltip(theme, "Speed: real time or slow motion.\nSlower [   Faster ]");
 }
 
+/// What real time is missed is said, beside the speed that was asked for; returns where it ends.
+float missed_time(const AppState& state, const Theme& theme, float left, float right, float y) {
+    constexpr double unseen = 0.95;
+    if (state.real_time >= unseen || !plays(state)) return left;
+    const std::string speed = to_text(state.real_time / state.session.slow_motion(), 2) + "\u00d7";
+    const std::string text = speed + ": the computer is too slow";
+    const auto width = [](const std::string& t) { return ImGui::CalcTextSize(t.c_str()).x + 1; };
+    const std::string& shown = left + width(text) < right ? text : speed;
+    if (left + width(shown) >= right) return left;
+    ImGui::GetWindowDrawList()->AddText({left, y}, ink(palette::amber), shown.c_str());
+    return left + width(shown) + theme.px(16);
+}
+
 /// A label over a number, growing to the left from `right`; returns where it begins.
 float counter(ImDrawList& list, const Theme& theme, const char* label, const std::string& number, float right, float top,
               const Tint& color) {
@@ -62,12 +75,13 @@ void transport_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     list.AddLine(position, {position.x + size.x, position.y}, ink(palette::line));
     play_buttons(state, theme);
     speed_menu(state, theme);
-    const float least = ImGui::GetItemRectMax().x + theme.px(16);
 
     const World& world = state.session.world();
     const float top = position.y + theme.px(6), gap = theme.px(26);
     const std::string time = to_text(world.time(), 2) + " s";
     float right = position.x + size.x - theme.px(16);
+    const float after = ImGui::GetItemRectMax().x + theme.px(16), most = right - theme.px(270);
+    const float least = missed_time(state, theme, after, most, position.y + 0.5f * (size.y - ImGui::GetFontSize()));
     // Where it gets narrow the clock goes first, the score last.
     const float room = (right - least) / theme.scale;
     const auto show = [&](const char* label, const std::string& number, const Tint& color, float needed) {

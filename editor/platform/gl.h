@@ -10,9 +10,11 @@ namespace pinfield::editor {
     X(AttachShader, ATTACHSHADER)                      \
     X(BindAttribLocation, BINDATTRIBLOCATION)          \
     X(BindBuffer, BINDBUFFER)                          \
+    X(BindFramebuffer, BINDFRAMEBUFFER)                \
     X(BindTexture, BINDTEXTURE)                        \
     X(BindVertexArray, BINDVERTEXARRAY)                \
     X(BlendFunc, BLENDFUNC)                            \
+    X(BlitFramebuffer, BLITFRAMEBUFFER)                \
     X(BufferData, BUFFERDATA)                          \
     X(Clear, CLEAR)                                    \
     X(ClearColor, CLEARCOLOR)                          \
@@ -20,6 +22,7 @@ namespace pinfield::editor {
     X(CreateProgram, CREATEPROGRAM)                    \
     X(CreateShader, CREATESHADER)                      \
     X(DeleteBuffers, DELETEBUFFERS)                    \
+    X(DeleteFramebuffers, DELETEFRAMEBUFFERS)          \
     X(DeleteProgram, DELETEPROGRAM)                    \
     X(DeleteShader, DELETESHADER)                      \
     X(DeleteTextures, DELETETEXTURES)                  \
@@ -28,7 +31,9 @@ namespace pinfield::editor {
     X(DrawArrays, DRAWARRAYS)                          \
     X(Enable, ENABLE)                                  \
     X(EnableVertexAttribArray, ENABLEVERTEXATTRIBARRAY) \
+    X(FramebufferTexture2D, FRAMEBUFFERTEXTURE2D)      \
     X(GenBuffers, GENBUFFERS)                          \
+    X(GenFramebuffers, GENFRAMEBUFFERS)                \
     X(GenTextures, GENTEXTURES)                        \
     X(GenVertexArrays, GENVERTEXARRAYS)                \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG)            \

@@ -87,7 +87,7 @@ void Window::attach_callbacks() {
         if (hears(w)) self(w)->on_scroll(dx, dy);
     });
     glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
-        if (hears(w) && action != GLFW_REPEAT && key >= 0) self(w)->on_key(key, action == GLFW_PRESS);
+        if (hears(w) && key >= 0) self(w)->on_key(key, action != GLFW_RELEASE, action == GLFW_REPEAT);
     });
     glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned character) {
         if (hears(w)) self(w)->on_text(character);
@@ -98,6 +98,9 @@ void Window::attach_callbacks() {
     glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
         if (hears(w) && count > 0) self(w)->on_drop(paths[0]);
     });
+    glfwSetWindowRefreshCallback(window_, [](GLFWwindow* w) { self(w)->stale_ = true; });
+    glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w)->stale_ = true; });
+    glfwSetWindowIconifyCallback(window_, [](GLFWwindow* w, int) { self(w)->stale_ = true; });
     glfwSetWindowCloseCallback(window_, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);  // the editor asks about unsaved work first
         self(w)->on_close();
@@ -109,7 +112,9 @@ void Window::on_button(int button, bool down) {
     events_.push_back({.kind = WindowEvent::Kind::button, .code = button, .down = down});
 }
 void Window::on_scroll(double dx, double dy) { events_.push_back({.kind = WindowEvent::Kind::scroll, .place = {dx, dy}}); }
-void Window::on_key(int key, bool down) { events_.push_back({.kind = WindowEvent::Kind::key, .code = key, .down = down}); }
+void Window::on_key(int key, bool down, bool repeat) {
+    events_.push_back({.kind = WindowEvent::Kind::key, .code = key, .down = down, .repeat = repeat});
+}
 void Window::on_text(unsigned character) {
     events_.push_back({.kind = WindowEvent::Kind::text, .character = character});
 }
@@ -119,7 +124,18 @@ void Window::on_close() { events_.push_back({.kind = WindowEvent::Kind::close});
 
 std::vector<WindowEvent> Window::take_events() {
     glfwPollEvents();
+    stale_ = false;
     return std::exchange(events_, {});
+}
+
+void Window::wait_events(double seconds) { glfwWaitEventsTimeout(seconds); }
+
+bool Window::minimised() const { return glfwGetWindowAttrib(window_, GLFW_ICONIFIED) != 0; }
+
+double Window::frame_period() const {
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode* const mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    return 1.0 / (mode && mode->refreshRate > 0 ? std::clamp(mode->refreshRate, 30, 240) : 60);
 }
 
 void Window::present() { glfwSwapBuffers(window_); }

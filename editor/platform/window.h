@@ -20,6 +20,7 @@ struct WindowEvent {
     Vec2 place{0, 0};        ///< cursor: window pixels, y down; scroll: notches
     int code = 0;            ///< button (0 left, 1 right, 2 middle) or GLFW key code
     bool down = false;       ///< button, key: pressed; focus: gained
+    bool repeat = false;     ///< key: held for so long that it counts once more
     unsigned character = 0;  ///< text: a code point
     std::string path{};      ///< drop: the first file
 };
@@ -38,7 +39,7 @@ public:
     void on_cursor(double x, double y);
     void on_button(int button, bool down);
     void on_scroll(double dx, double dy);
-    void on_key(int key, bool down);
+    void on_key(int key, bool down, bool repeat = false);
     void on_text(unsigned character);
     void on_focus(bool gained);
     void on_drop(const std::string& path);
@@ -48,6 +49,13 @@ public:
     void listen(bool on) { listening_ = on; }
     /// Fetches what GLFW has, then all that is queued.
     std::vector<WindowEvent> take_events();
+    /// Sleeps until a device does something, at most so many seconds.
+    void wait_events(double seconds);
+    /// Whether something is queued, or the picture must be drawn anew: the window was uncovered, sized, hidden or shown.
+    bool has_events() const { return stale_ || !events_.empty(); }
+    bool minimised() const;
+    /// Seconds between two pictures of the screen.
+    double frame_period() const;
     void present();
 
     Vec2 size() const;         ///< window pixels, what events are in
@@ -71,6 +79,7 @@ private:
     GLFWwindow* window_ = nullptr;
     Gl gl_;
     bool listening_ = true;
+    bool stale_ = true;
     std::vector<WindowEvent> events_;
     std::string title_;
     std::vector<GLFWcursor*> cursors_;

@@ -104,6 +104,39 @@ void FieldTexture::bind() const {
     gl_.BindTexture(GL_TEXTURE_2D, distance_);
 }
 
+KeptPicture::KeptPicture(const Gl& gl) : gl_(gl) {
+    gl.GenFramebuffers(1, &buffer_);
+    gl.GenTextures(1, &texture_);
+}
+
+KeptPicture::~KeptPicture() {
+    gl_.DeleteFramebuffers(1, &buffer_);
+    gl_.DeleteTextures(1, &texture_);
+}
+
+void KeptPicture::begin(int width, int height) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, buffer_);
+    if (width != width_ || height != height_) {
+        width_ = width;
+        height_ = height;
+        gl_.ActiveTexture(GL_TEXTURE0);
+        gl_.BindTexture(GL_TEXTURE_2D, texture_);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    }
+    gl_.Viewport(0, 0, width, height);
+}
+
+void KeptPicture::end() { gl_.BindFramebuffer(GL_FRAMEBUFFER, 0); }
+
+void KeptPicture::show(int left, int bottom) const {
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, buffer_);
+    gl_.BlitFramebuffer(0, 0, width_, height_, left, bottom, left + width_, bottom + height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+}
+
 QuadBuffer::QuadBuffer(const Gl& gl) : gl_(gl) {
     gl.GenVertexArrays(1, &array_);
     gl.GenBuffers(1, &buffer_);

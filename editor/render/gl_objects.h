@@ -10,6 +10,7 @@ namespace pinfield::editor {
 
 struct Rgb {
     float r = 0, g = 0, b = 0;
+    bool operator==(const Rgb&) const = default;
 };
 
 /// Vertex and fragment shader of our own; a shader that does not compile is a programming error and ends the program with its log.
@@ -54,6 +55,25 @@ private:
     int width_ = 0, height_ = 0;
 };
 
+/// A picture that is drawn once and shown many times.
+class KeptPicture {
+public:
+    explicit KeptPicture(const Gl& gl);
+    ~KeptPicture();
+    KeptPicture(const KeptPicture&) = delete;
+    KeptPicture& operator=(const KeptPicture&) = delete;
+
+    void begin(int width, int height);  ///< what is drawn from now on goes into it
+    void end();                         ///< and then to the window again; the viewport is whoever's draws next
+    /// Copied pixel by pixel onto the window, `left` and `bottom` device pixels from its bottom left corner.
+    void show(int left, int bottom) const;
+
+private:
+    const Gl& gl_;
+    unsigned buffer_ = 0, texture_ = 0;
+    int width_ = 0, height_ = 0;
+};
+
 /// Triangles of vertices (place in pixels of the canvas, place in the picture, one more number).
 class QuadBuffer {
 public:
@@ -80,6 +100,10 @@ struct Canvas {
     Vec2 centre{0, 0};  ///< world
     double pixels_per_metre = 1;
 
+    int left() const { return static_cast<int>(origin.x()); }
+    int bottom() const { return static_cast<int>(framebuffer.y() - origin.y() - size.y()); }  ///< from the window's lower edge up
+    int width() const { return static_cast<int>(size.x()); }
+    int height() const { return static_cast<int>(size.y()); }
     Vec2 pixel_from_world(const Vec2& p) const {
         return {0.5 * size.x() + (p.x() - centre.x()) * pixels_per_metre,
                 0.5 * size.y() - (p.y() - centre.y()) * pixels_per_metre};

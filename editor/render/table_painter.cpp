@@ -40,24 +40,32 @@ TablePainter::TablePainter(const Gl& gl)
       field_shader_(gl, shaders::quad_vertex, std::string(isolines::isoline_color_source) + shaders::field_fragment),
       ball_shader_(gl, shaders::quad_vertex, shaders::ball_fragment),
       quads_(gl),
-      table_(gl) {}
+      table_(gl),
+      kept_(gl) {}
 
 void TablePainter::draw(const ProgramPtr& program, std::span<const MoverPlace> places, std::span<const BallMark> balls,
                         const TableLook& look, const Canvas& canvas) {
-    refresh_table(program, places, look.isolines, canvas);
+    const bool changed = refresh_table(program, places, look.isolines, canvas);
     if (!look.isolines) refresh_movers(program, canvas.pixels_per_metre);
-    draw_table(*program, look, canvas);
+    if (changed || !(look == kept_look_)) {
+        kept_.begin(canvas.width(), canvas.height());
+        draw_table(*program, look, canvas);
+        kept_.end();
+        kept_look_ = look;
+    }
+    kept_.show(canvas.left(), canvas.bottom());
+    gl_.Viewport(canvas.left(), canvas.bottom(), canvas.width(), canvas.height());
     if (!look.isolines) draw_movers(places, look, canvas);
     draw_balls(balls, canvas);
 }
 
-void TablePainter::refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines,
+bool TablePainter::refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines,
                                  const Canvas& canvas) {
     // Isolines of the whole field need the movers in it; shaded movers are pictures of their own, laid on top.
     std::vector<double> q;
     if (isolines)
         for (const MoverPlace& place : places) q.push_back(place.q);
-    if (program == table_program_ && same_view(canvas, table_canvas_) && q == table_places_) return;
+    if (program == table_program_ && same_view(canvas, table_canvas_) && q == table_places_) return false;
     table_program_ = program;
     table_canvas_ = canvas;
     table_places_ = std::move(q);
@@ -70,6 +78,7 @@ void TablePainter::refresh_table(const ProgramPtr& program, std::span<const Move
     for (std::size_t i = 0; i < table_places_.size(); ++i)
         rasterize_over(program->movers[i], places[i].world_from_mover, isa, raster_);
     table_.upload(raster_.width, raster_.height, raster_.distance.data(), raster_.material.data());
+    return true;
 }
 
 void TablePainter::refresh_movers(const ProgramPtr& program, double pixels_per_metre) {

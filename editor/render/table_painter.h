@@ -27,13 +27,14 @@ struct TableLook {
     bool isolines = false;
     std::vector<Rgb> materials;        ///< parallel to Program::materials
     Rgb floor_low, floor_high, backdrop;
+    bool operator==(const TableLook&) const = default;
 };
 
 class TablePainter {
 public:
     explicit TablePainter(const Gl& gl);
 
-    /// `places`: parallel to Program::movers. Rasters again only what changed since the last call.
+    /// `places`: parallel to Program::movers. Rasters and shades again only what changed since the last call. Sets the viewport.
     void draw(const ProgramPtr& program, std::span<const MoverPlace> places, std::span<const BallMark> balls,
               const TableLook& look, const Canvas& canvas);
 
@@ -43,7 +44,8 @@ private:
         Box2 window;  ///< in the mover's frame
     };
 
-    void refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines, const Canvas& canvas);
+    /// Whether anything changed.
+    bool refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines, const Canvas& canvas);
     void refresh_movers(const ProgramPtr& program, double pixels_per_metre);
     void draw_table(const Program& program, const TableLook& look, const Canvas& canvas);
     void draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas);
@@ -55,6 +57,8 @@ private:
     ShaderProgram field_shader_, ball_shader_;
     QuadBuffer quads_;
     FieldTexture table_;
+    KeptPicture kept_;  ///< the table without movers and balls
+    TableLook kept_look_;
     Raster raster_;
     std::vector<MoverPicture> movers_;
     // What the textures hold, to know when to raster again.

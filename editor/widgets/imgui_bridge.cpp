@@ -124,11 +124,18 @@ std::vector<WindowEvent> ImGuiBridge::begin_frame(double seconds) {
     bool pressed = false;
     while (!pending_.empty()) {
         const WindowEvent& event = pending_.front();
-        const bool is_switch = event.kind == WindowEvent::Kind::button || event.kind == WindowEvent::Kind::key;
+        // One repeat a frame: where frames take longer, what is held must not go on after it is let go.
+        if (event.repeat && !changed.insert({event.kind, event.code}).second) {
+            pending_.pop_front();
+            continue;
+        }
+        const bool is_switch = !event.repeat && (event.kind == WindowEvent::Kind::button || event.kind == WindowEvent::Kind::key);
         if (is_switch && !changed.insert({event.kind, event.code}).second) break;
         // A press happens where the mouse was, not where it has gone since.
         if (pressed && event.kind == WindowEvent::Kind::cursor) break;
         pressed = pressed || event.kind == WindowEvent::Kind::button;
+        if (is_switch && event.down) held_.insert({event.kind, event.code});
+        else if (is_switch) held_.erase({event.kind, event.code});
         hand_over(event);
         handed.push_back(event);
         pending_.pop_front();

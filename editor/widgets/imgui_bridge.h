@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <deque>
+#include <set>
+#include <utility>
 
 #include "editor/platform/window.h"
 
@@ -21,6 +23,8 @@ public:
     /// Hands over queued events up to the second change of one button or key, so that a quick click is seen as two frames,
     /// and begins a frame of `seconds`. Returns what was handed over.
     std::vector<WindowEvent> begin_frame(double seconds);
+    /// Whether something is queued still, or a key or button held: Dear ImGui counts how long.
+    bool wants_frames() const { return !pending_.empty() || !held_.empty(); }
     void draw();  ///< on the back buffer
 
 private:
@@ -28,6 +32,7 @@ private:
 
     Window& window_;
     std::deque<WindowEvent> pending_;
+    std::set<std::pair<WindowEvent::Kind, int>> held_;
 };
 
 }  // namespace pinfield::editor
