@@ -163,7 +163,7 @@ void App::take_key(int code, bool down) {
         return;
     }
     const bool asks = state_.prompt || state_.recovery || !state_.dialog_action.empty() || state_.choosing || state_.show_help || state_.show_command_palette;
-    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node || ui_.source.focused;
+    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node || ui_.source.focused || state_.type_source;
     if (asks) return;
     const bool plain = !control_ && !alt_;
     if (typing && (plain || !control_ || edits_text(key))) return;
