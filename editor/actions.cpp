@@ -80,6 +80,7 @@ const std::vector<Action>& all_actions() {
         {"view.zoom_out", "Zoom out", "View", "-", "Farther, about the middle.", true},
         {"view.command_palette", "Find a command or node", "View", "Ctrl+Shift+P", "Type a few letters of anything that can be done, or of a node."},
         {"view.source", "Source", "View", "F4", "Show the table's text beside it, or hide it."},
+        {"view.changes", "Changes in the source", "View", "", "Mark the lines of the source that differ from the saved file."},
 
         {"view.palette", "Palette", "View", "F8", "Show or hide what can be added, below the tree."},
 

@@ -197,6 +197,7 @@ constexpr Handler handlers[] = {
     {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
     {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
     {"view.palette", always, [](AppState& s) { s.show_palette = !s.show_palette; }},
+    {"view.changes", always, [](AppState& s) { s.show_changes = !s.show_changes; }},
     {"view.command_palette", always, [](AppState& s) { s.show_command_palette = !s.show_command_palette; }},
     {"view.source", always, [](AppState& s) { s.show_source = !s.show_source; }},
     {"help.keys", always, [](AppState& s) { s.show_help = !s.show_help; }},

@@ -74,6 +74,7 @@ struct AppState {
     bool choosing = false;      ///< File > New asks which table to begin with
     SourceDraft source{};       ///< what is typed in the source panel
     bool show_source = false;
+    bool show_changes = true;   ///< lines that differ from the saved file are marked there
     bool type_source = false;   ///< the source panel is to take the keyboard
     bool quit = false;
     bool show_palette = true;

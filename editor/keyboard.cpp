@@ -19,6 +19,9 @@ std::string character_of(std::string_view key) {
     return key == "Escape" ? "Esc" : std::string(key);
 }
 
+/// F1 to F12, which no text takes.
+bool is_function_key(std::string_view key) { return key.size() > 1 && key[0] == 'F' && key[1] >= '1' && key[1] <= '9'; }
+
 /// Keys that with Ctrl are the text's in which somebody types.
 bool edits_text(std::string_view key) {
     static constexpr std::string_view keys[] = {"A",     "C",  "V",    "X",    "Y",   "Z",         "Left",
@@ -51,7 +54,8 @@ void Keyboard::take(AppState& state, const KeyPress& press, bool typing, const s
     }
     if (asks(state)) return;
     const bool plain = !control_ && !alt_;
-    if (typing && (plain || !control_ || edits_text(press.key))) return;
+    const bool is_text = plain ? !is_function_key(press.key) : !control_ || edits_text(press.key);
+    if (typing && is_text) return;
     // The table's own keys come first: a game is to be played with whatever keys its author chose.
     if (plain && is_table_key(state, press.key)) {
         if (!press.repeat) press_key(state, press.key, true);

@@ -1,4 +1,6 @@
 // The table's text beside the table: what is typed there becomes the table as soon as it reads.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -91,15 +93,32 @@ void footer(AppState& state, Ui& ui, ImVec2 place, ImVec2 size) {
     if (!action.empty()) run(state, action);
 }
 
-/// The title, and whether the text is the table's.
-void header(const AppState& state, const Theme& theme, ImVec2 position, float width, float height) {
+/// A word at the right of the header that can be pressed; where it begins.
+float changes_button(AppState& state, const Ui& ui, float right, float y) {
+    const Theme& theme = ui.theme;
+    const std::optional<LineMarks>& changes = ui.source.changes;
+    std::string words = "changes";
+    if (changes) words = changes->lines.empty() ? "as saved" : fmt::format("+{} -{}", changes->added, changes->removed);
+    const float width = pill_width(theme, words);
+    ImGui::SetCursorScreenPos({right - width, y});
+    pill(theme, words, changes && !changes->lines.empty() ? palette::teal : palette::quiet, changes ? PillStyle::filled : PillStyle::bare);
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltip(theme, find_action("view.changes")->doc);
+    if (ImGui::IsItemClicked(0)) run(state, "view.changes");
+    return right - width - theme.px(6);
+}
+
+/// The title, what differs from the file, and whether the text is the table's.
+void header(AppState& state, const Ui& ui, ImVec2 position, float width, float height) {
+    const Theme& theme = ui.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddText(theme.strong, theme.strong->FontSize, {position.x + theme.px(12), position.y + 0.5f * (height - theme.strong->FontSize)},
                  ink(palette::text), "Source");
+    const float y = position.y + theme.px(8), right = changes_button(state, ui, position.x + width - theme.px(10), y);
     const bool wrong = state.source.pending() && !state.source.waiting();
     if (!wrong) return;
     const char* words = state.source.stale(state.document) ? "not taken" : "does not read";
-    ImGui::SetCursorScreenPos({position.x + width - pill_width(theme, words) - theme.px(10), position.y + theme.px(8)});
+    ImGui::SetCursorScreenPos({right - pill_width(theme, words), y});
     pill(theme, words, palette::coral, PillStyle::filled);
 }
 
@@ -110,7 +129,8 @@ void source_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     SourcePanel& panel = ui.source;
     begin_region("##source", position, size, palette::panel, {0, 0}, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const float head = theme.px(32), foot = std::min(footer_height(theme, state), 0.5f * size.y);
-    header(state, theme, position, size.x, head);
+    if (std::exchange(panel.foot, foot) < foot && panel.focused) panel.reveals_caret = true;
+    header(state, ui, position, size.x, head);
     const ImVec2 lines_at{position.x, position.y + head}, lines_size{size.x, std::max(size.y - head - foot, 1.0f)};
     const bool over_text = ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) &&
                            ImGui::IsMouseHoveringRect(lines_at, {lines_at.x + lines_size.x, lines_at.y + lines_size.y});

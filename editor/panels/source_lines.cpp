@@ -103,10 +103,17 @@ private:
         if (!hot) return;
         const bool in_gutter = ImGui::GetIO().MousePos.x < window_.x + gutter_;
         ImGui::SetMouseCursor(in_gutter ? ImGuiMouseCursor_Arrow : ImGuiMouseCursor_TextInput);
+        if (in_gutter) margin_tip(line);
         if (!on_line) return;
         if (!panel_.dragging) ui_.hovered = node_under(line, character_under_mouse(line));
         for (const SourceMark& mark : marks_)
             if (mark_lines(mark).first == line) return tooltip(theme_, mark.text);
+    }
+
+    void margin_tip(int line) const {
+        if (!panel_.changes) return;
+        for (const LineMark& mark : panel_.changes->lines)
+            if (mark.line == line && !mark.removed.empty()) return tooltip(theme_, "Saved:\n" + mark.removed.substr(0, 600));
     }
 
     void press(int line, bool on_line) {
@@ -249,6 +256,18 @@ private:
         list_.AddRectFilled({x - 1, y_of(line) + 1}, {x - 1 + std::max(1.0f, theme_.px(2)), y_of(line + 1) - 1}, ink(palette::accent));
     }
 
+    /// A bar beside lines that are not those on disk, a wedge where some went.
+    void changes() const {
+        const auto& marks = panel_.changes->lines;
+        auto mark = std::lower_bound(marks.begin(), marks.end(), first_, [](const LineMark& m, int line) { return m.line < line; });
+        for (; mark != marks.end() && mark->line <= last_ + 1; ++mark) {
+            const float y = y_of(mark->line), wide = theme_.px(3);
+            const bool gone = !mark->removed.empty();
+            if (mark->added) list_.AddRectFilled({window_.x, y}, {window_.x + wide, y + height_}, ink(gone ? palette::amber : palette::teal));
+            else list_.AddTriangleFilled({window_.x, y - theme_.px(4)}, {window_.x + theme_.px(6), y}, {window_.x, y + theme_.px(4)}, ink(palette::coral));
+        }
+    }
+
     void margin() const {
         const float right = window_.x + gutter_;
         list_.AddRectFilled(window_, {right - theme_.px(3), window_.y + inner_.y}, ink(palette::bar));
@@ -260,6 +279,7 @@ private:
             list_.AddText(theme_.mono, theme_.mono->FontSize, {x, y_of(line) + std::floor(0.5f * (height_ - theme_.mono->FontSize))},
                           ink(bright ? palette::text : palette::quiet.faded(0.8f)), number.c_str());
         }
+        if (panel_.changes) changes();
         for (const NodeId node : state_.selection.nodes()) {
             const LineRange lines = lines_of_node(node);
             if (lines.last > 0 && lines.last >= first_ && lines.first <= last_)

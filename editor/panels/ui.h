@@ -10,6 +10,7 @@
 #include "editor/command_search.h"
 #include "editor/edit_tools.h"
 #include "editor/handles.h"
+#include "editor/line_marks.h"
 #include "editor/pick.h"
 #include "editor/picture.h"
 #include "editor/snap.h"
@@ -73,10 +74,13 @@ struct SourcePanel {
     std::vector<Token> tokens{};          ///< of `shown`
     int widest = 0;                       ///< of its lines, in characters
     Splice typed{};                       ///< what makes `shown` of the document's text
+    std::optional<LineMarks> changes{};   ///< since the last save, if they are to be shown
+    std::string compared_with{};          ///< the saved text
     TextCursor cursor{};
     bool focused = false;                 ///< the keyboard types here
     bool dragging = false;                ///< the mouse selects text
     bool reveals_caret = false;           ///< scroll so that the caret is seen
+    float foot = 0;                       ///< height of what is said below the text
     NodeId revealed{};                    ///< selection that the panel has scrolled to
     std::optional<std::size_t> wanted{};  ///< a place to go to
 };

@@ -287,6 +287,44 @@ TEST_CASE("Ctrl+E types at the selected node; Esc gives the keyboard back, and w
     CHECK_THAT(desk.text(), Catch::Contains("0.02]}  # here\n"));
 }
 
+TEST_CASE("the line that is typed at stays in sight when what is wrong with it is said below") {
+    std::string table = "pinfield: 1\ntable: {size: [1, 1]}\nscene:\n";
+    for (int i = 0; i < 100; ++i) table += "  - circle: {id: n" + std::to_string(i) + ", at: [0.5, 0.5], radius: 1mm}\n";
+    Desk desk(table);
+    int last = 0;
+    while (desk.sees("n" + std::to_string(last + 1) + ",")) ++last;
+    desk.click(desk.place("circle: {id: n" + std::to_string(last - 1)));
+    desk.type("x");
+    desk.rest();
+    CHECK(desk.sees("does not read"));
+    CHECK(desk.sees("xcircle"));
+}
+
+TEST_CASE("lines that differ from the file are counted and marked, with what was saved under the mouse, until a save") {
+    Desk desk;
+    CHECK(desk.sees("as saved"));
+    desk.click(desk.place("24mm"));
+    desk.press(ImGuiKey_Delete);
+    desk.type("3");
+    desk.press(ImGuiKey_DownArrow);
+    desk.press(ImGuiKey_Home);
+    desk.type("# new");
+    desk.press(ImGuiKey_Enter);
+    desk.rest();
+    CHECK(desk.sees("+2 -1"));
+    desk.move_to({20, desk.place("34mm").y});
+    desk.rest(2);
+    CHECK(desk.sees("radius: 24mm"));
+    desk.move_to({1300, 700});
+    run(desk.state(), "view.changes");
+    desk.rest(2);
+    CHECK(desk.sees("changes"));
+    run(desk.state(), "view.changes");
+    CHECK(desk.state().document.save());
+    desk.rest(2);
+    CHECK(desk.sees("as saved"));
+}
+
 TEST_CASE("who leaves the table is asked about a text that does not read, and saving does not lose it") {
     Desk desk;
     desk.click(desk.place("kick: 0.8", true));
