@@ -90,8 +90,9 @@ private:
     /// Behind the closing quote; an open one ends with its line.
     std::size_t quote_end(char quote) const {
         for (std::size_t end = at_ + 1; end < text_.size(); ++end) {
-            if (text_[end] == '\\' && quote == '"') ++end;
-            else if (text_[end] == quote && quote == '\'' && end + 1 < text_.size() && text_[end + 1] == quote) ++end;
+            const bool escapes = text_[end] == '\\' && quote == '"';
+            const bool doubled = text_[end] == quote && quote == '\'' && end + 1 < text_.size() && text_[end + 1] == quote;
+            if (escapes || doubled) ++end;
             else if (text_[end] == quote) return end + 1;
             else if (text_[end] == '\n' && at_margin(end + 1)) break;
         }
