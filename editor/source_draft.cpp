@@ -38,7 +38,11 @@ void SourceDraft::type(Document& document, const Splice& splice) {
     document.cancel_preview();
     if (!text_) begin(document, splice);
     typed_.resize(position_);
-    typed_.push_back(inverse(before->text(), splice));
+    const Splice back = inverse(before->text(), splice);
+    const auto adds_only = [](const Splice& b) { return b.inserted.empty(); };
+    const bool runs_on = waiting_ && !typed_.empty() && adds_only(typed_.back()) && adds_only(back) && typed_.back().removed.end == back.removed.begin;
+    if (runs_on) typed_.back().removed.end = back.removed.end;
+    else typed_.push_back(back);
     position_ = typed_.size();
     put(document, splice);
 }

@@ -33,7 +33,8 @@ public:
     void pass(Document& document, double seconds);
     /// Reads at once what is waiting. A text that reads becomes a step of the history; typing that goes on where it ended joins that step.
     void read(Document& document);
-    /// Takes the last typing back, or forward again, as long as the text is pending; false when there is none.
+    /// Takes the last typing back, or forward again, as long as the text is pending; false when there is none. Characters typed one behind
+    /// the other without a rest go together.
     bool undo(Document& document);
     bool redo(Document& document);
     /// Where the last typing, or its undo, ended.

@@ -50,7 +50,7 @@ private:
     void arrive(const TextCursor& cursor) {
         follow_text(state_, panel_);
         panel_.cursor = cursor;
-        panel_.reveals_caret = true;
+        panel_.reveals_caret = panel_.hand_on_keys = true;
     }
 
     void move() {

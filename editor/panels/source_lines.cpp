@@ -100,7 +100,8 @@ private:
             panel_.cursor.caret = offset_under_mouse(line);
             panel_.reveals_caret = true;
         }
-        if (!hot) return;
+        if (ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0) panel_.hand_on_keys = false;
+        if (!hot || panel_.hand_on_keys) return;
         const bool in_gutter = ImGui::GetIO().MousePos.x < window_.x + gutter_;
         ImGui::SetMouseCursor(in_gutter ? ImGuiMouseCursor_Arrow : ImGuiMouseCursor_TextInput);
         if (in_gutter) margin_tip(line);
@@ -148,6 +149,7 @@ private:
             const LineRange lines = chosen ? lines_of_node(chosen) : LineRange{};
             if (lines.last > 0 && !panel_.focused) panel_.cursor = cursor_at(offset_at(text_, lines.first, 1));
             if (lines.last > 0 && !is_seen(lines.first)) scroll_to(lines.first);
+            if (lines.last > 0) ImGui::SetScrollX(0);
         }
         if (std::exchange(panel_.reveals_caret, false)) reveal_caret();
     }

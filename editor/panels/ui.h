@@ -79,6 +79,7 @@ struct SourcePanel {
     TextCursor cursor{};
     bool focused = false;                 ///< the keyboard types here
     bool dragging = false;                ///< the mouse selects text
+    bool hand_on_keys = false;            ///< something was typed since the mouse moved last: what is under it says nothing
     bool reveals_caret = false;           ///< scroll so that the caret is seen
     float foot = 0;                       ///< height of what is said below the text
     NodeId revealed{};                    ///< selection that the panel has scrolled to

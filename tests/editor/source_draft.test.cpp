@@ -127,6 +127,23 @@ TEST_CASE("a pending text has an undo of its own, which ends at the document's t
     CHECK(desk.text() == pen);
 }
 
+TEST_CASE("characters typed without a rest are taken back together, others one by one") {
+    Desk desk;
+    const std::size_t at = desk.shown().find("24mm");
+    for (std::size_t i = 0; i < 3; ++i) desk.draft.type(desk.document, {{at + i, at + i}, "x"});
+    desk.rest();
+    desk.draft.type(desk.document, {{at + 3, at + 3}, "y"});
+    desk.draft.type(desk.document, {{at + 3, at + 4}, ""});
+    CHECK(desk.draft.undo(desk.document));
+    CHECK(desk.shown() == replaced(pen, "24mm", "xxxy24mm"));
+    CHECK(desk.draft.undo(desk.document));
+    CHECK(desk.shown() == replaced(pen, "24mm", "xxx24mm"));
+    CHECK(desk.draft.redo(desk.document));
+    CHECK(desk.draft.undo(desk.document));
+    CHECK(desk.draft.undo(desk.document));
+    CHECK_FALSE(desk.draft.pending());
+}
+
 TEST_CASE("what changes elsewhere meanwhile never takes a pending text away; tried again, both are had") {
     Desk desk;
     desk.replace("bumper:", "bumpr:");
