@@ -25,8 +25,8 @@ public:
 private:
     friend class LoneNode;
     struct Stand {
-        const Field* field;
-        int solid;
+        const Field* field = nullptr;
+        int solid = 0;
         Similarity field_from_node;
     };
 
