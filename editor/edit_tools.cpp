@@ -50,10 +50,6 @@ int at_field(const Node& node) {
     return field ? *field : -1;
 }
 
-bool locked(const Scene& scene, const Node& node) {
-    return node.get<bool>("locked") || (node.parent && locked(scene, *scene.find(node.parent)));
-}
-
 }  // namespace
 
 double on_grid(double x, double step) {
@@ -73,6 +69,10 @@ double nearest_allowed(const std::function<bool(double)>& allowed, double from, 
     return good == 0 ? from : on_the_way(good);
 }
 
+bool is_locked(const Scene& scene, const Node& node) {
+    return node.get<bool>("locked") || (node.parent && is_locked(scene, *scene.find(node.parent)));
+}
+
 SetField moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2& world_delta, const Vec2& grid) {
     const Node& node = *scene.find(id);
     const Similarity parent_from_world = node.parent ? world_from_local(scene, node.parent).inverse() : Similarity{};
@@ -89,7 +89,7 @@ bool NodeDrag::begin(const Document& document, std::span<const Held> nodes, cons
     if (active()) return false;
     for (Held held : nodes) {
         const Node* node = document.scene().find(held.node);
-        if (!node || at_field(*node) < 0 || locked(document.scene(), *node)) continue;
+        if (!node || at_field(*node) < 0 || is_locked(document.scene(), *node)) continue;
         held.at_before = node->get<Vec2>("at");
         held_.push_back(held);
     }

@@ -19,6 +19,9 @@ inline constexpr double default_grid = 0.001;
 /// Metres, along the world's axes.
 inline Vec2 square_grid(double step) { return {step, step}; }
 
+/// Is a scene node locked, or what it lies in?
+bool is_locked(const Scene& scene, const Node& node);
+
 /// The edit that moves a node by a world vector: its `at`, in the parent's frame, on the grid (of that frame; the finer of both where that is
 /// turned). A coordinate that does not move keeps its bits. `at_before`: where the drag began.
 SetField moved(const Scene& scene, NodeId node, const Vec2& at_before, const Vec2& world_delta, const Vec2& grid);

@@ -188,7 +188,7 @@ std::vector<Handle> handles_of(const Scene& scene, NodeId id) {
 
 bool HandleDrag::begin(const Document& document, NodeId id, const Handle& handle, const Vec2& p) {
     const Node* node = document.scene().find(id);
-    if (active() || !node || node->get<bool>("locked")) return false;
+    if (active() || !node || is_locked(document.scene(), *node)) return false;
     node_ = id;
     handle_ = handle;
     hold_ = p - handle.at;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "editor/edit_tools.h"
 #include "engine/core/at.h"
 #include "engine/core/trig.h"
 #include "engine/program/evaluate.h"
@@ -23,10 +24,7 @@ double area_of(const Box2& box) {
 /// A scene node (the edge of a table without a domain belongs to the table's record), and neither it nor what it lies in is locked.
 bool is_free(const Scene& scene, NodeId id) {
     const Node* node = scene.find(id);
-    if (!node || node->is_record()) return false;
-    for (; node; node = node->parent ? scene.find(node->parent) : nullptr)
-        if (node->get<bool>("locked")) return false;
-    return true;
+    return node && !node->is_record() && !is_locked(scene, *node);
 }
 
 /// A hit and what decides between several.

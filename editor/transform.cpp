@@ -17,10 +17,6 @@ constexpr double degrees = 180 / pi;
 constexpr double least_factor = 0.01;
 constexpr double still = 1e-6;  ///< metres about the pivot where a hand has no direction
 
-bool is_locked(const Scene& scene, const Node& node) {
-    return node.get<bool>("locked") || (node.parent && is_locked(scene, *scene.find(node.parent)));
-}
-
 double whole(double x, double step) { return step > 0 ? step * std::round(x / step) : x; }
 
 SetField set(const Node& node, std::string_view key, Value value) { return {node.id, *node.type->find_field(key), std::move(value), true}; }

@@ -24,9 +24,8 @@ int characters_in(std::string_view text) {
 class Lines {
 public:
     Lines(AppState& state, Ui& ui, const std::vector<SourceMark>& marks)
-        : state_(state), ui_(ui), panel_(ui.source), theme_(ui.theme), marks_(marks), text_(*ui.source.shown), list_(*ImGui::GetWindowDrawList()) {
-        height_ = source_line_height(theme_);
-        advance_ = theme_.mono->GetCharAdvance('0');
+        : state_(state), ui_(ui), panel_(ui.source), theme_(ui.theme), marks_(marks), text_(*ui.source.shown), list_(*ImGui::GetWindowDrawList()),
+          height_(source_line_height(theme_)), advance_(theme_.mono->GetCharAdvance('0')) {
         window_ = ImGui::GetWindowPos();
         const float bar = ImGui::GetStyle().ScrollbarSize;
         inner_ = {ImGui::GetWindowSize().x - (ImGui::GetScrollMaxY() > 0 ? bar : 0), ImGui::GetWindowSize().y - (ImGui::GetScrollMaxX() > 0 ? bar : 0)};
@@ -246,7 +245,9 @@ private:
         const float from = x_of(line, mark.span.begin), to = std::max(x_of(line, std::min(mark.span.end, end)), from + advance_);
         const float y = y_of(line + 1) - theme_.px(2), step = theme_.px(3);
         const ImU32 color = ink(mark.error ? palette::coral : palette::amber);
-        for (float x = from; x < to; x += 2 * step) {
+        const int waves = static_cast<int>(std::ceil((to - from) / (2 * step)));
+        for (int i = 0; i < waves; ++i) {
+            const float x = from + static_cast<float>(2 * i) * step;
             list_.AddLine({x, y}, {x + step, y - theme_.px(2)}, color, std::max(1.0f, theme_.px(1)));
             list_.AddLine({x + step, y - theme_.px(2)}, {x + 2 * step, y}, color, std::max(1.0f, theme_.px(1)));
         }
@@ -302,7 +303,7 @@ private:
     const std::vector<SourceMark>& marks_;
     const SourceText& text_;
     ImDrawList& list_;
-    float height_ = 0, advance_ = 0, gutter_ = 0;
+    float height_, advance_, gutter_ = 0;
     ImVec2 window_, inner_, origin_;
     int first_ = 1, last_ = 1;
 };

@@ -98,7 +98,7 @@ void look_for_handles(const AppState& state, Ui& ui) {
     Handles& shown = ui.handles;
     const bool one = state.selection.nodes().size() == 1 && state.tool == Tool::select;
     const Node* node = one ? scene.find(state.selection.primary()) : nullptr;
-    if (!node || node->is_record() || node->get<bool>("locked") || ui.drag.active()) {
+    if (!node || node->is_record() || is_locked(scene, *node) || ui.drag.active()) {
         shown = {};
         return;
     }

@@ -199,6 +199,17 @@ TEST_CASE(
     CHECK_FALSE(state.document.scene().find(id));
 }
 
+TEST_CASE("what is locked, or lies in something locked, is not dragged by its handles") {
+    const Folder folder;
+    for (const char* locks : {"group: {locked: true, children: [circle: {id: it}]}", "circle: {id: it, locked: true}", "group: {children: [circle: {id: it}]}"}) {
+        AppState state = table_with(folder, locks);
+        const NodeId id = id_of(state.document, "it");
+        HandleDrag drag;
+        const Handle handle = handles_of(state.document.scene(), id).front();
+        CHECK(drag.begin(state.document, id, handle, handle.at) == (std::string_view(locks).find("locked") == std::string_view::npos));
+    }
+}
+
 TEST_CASE("a path gets new points where they mean more of the same, and nowhere else") {
     const Folder folder;
     const auto gaps_of = [&](const std::string& text) {
