@@ -142,9 +142,9 @@ std::set<NodeId> subtree(const Scene& scene, NodeId root) {
 Box2 bounds_in(const Field& field, const std::set<NodeId>& nodes) {
     Box2 box;
     for (const Op& op : field.ops)
-        if (nodes.count(op.origin) && !op.bounds.is_empty()) box = box.merged(op.bounds);
+        if (nodes.contains(op.origin) && !op.bounds.is_empty()) box = box.merged(op.bounds);
     for (const Solid& solid : field.solids)
-        if (nodes.count(solid.origin) && !solid.bounds.is_empty()) box = box.merged(solid.bounds);
+        if (nodes.contains(solid.origin) && !solid.bounds.is_empty()) box = box.merged(solid.bounds);
     return box;
 }
 
@@ -226,7 +226,7 @@ std::vector<Box2> boxes_beside(const AppState& state, const std::vector<NodeId>&
     std::vector<Box2> out{{{0, 0}, program.size}};
     const auto offer = [&](const Field& field, const Similarity& world_from_field) {
         for (const Solid& solid : field.solids)
-            if (!solid.is_domain && !solid.bounds.is_empty() && solid.bounds.is_finite() && !left_out.count(solid.origin))
+            if (!solid.is_domain && !solid.bounds.is_empty() && solid.bounds.is_finite() && !left_out.contains(solid.origin))
                 out.push_back(world_from_field * solid.bounds);
     };
     offer(program.fixed, {});
@@ -249,7 +249,7 @@ std::vector<NodeId> nodes_in(const AppState& state, const Box2& world, bool touc
         if (!part.is<parts::Domain>()) offer(part.origin);
     std::vector<NodeId> out;
     for (const NodeId node : state.document.scene().all())
-        if (found.count(node)) out.push_back(node);
+        if (found.contains(node)) out.push_back(node);
     return out;
 }
 
