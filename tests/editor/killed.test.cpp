@@ -29,9 +29,9 @@ std::size_t files_in(const std::string& folder) {
 }
 
 /// Does the work, which takes a function to report with and never ends by itself, in a process of its own, and kills that so long after its
-/// first report. Returns the last one.
+/// first report and `more` others: a busy machine only takes longer over them. Returns the last one.
 template <class Report, class Work>
-Report last_report_of_killed(Work work, std::int64_t microseconds) {
+Report last_report_of_killed(Work work, std::int64_t microseconds, unsigned more = 0) {
     int ends[2];
     REQUIRE(::pipe(ends) == 0);
     const pid_t child = ::fork();
@@ -44,7 +44,7 @@ Report last_report_of_killed(Work work, std::int64_t microseconds) {
     }
     ::close(ends[1]);
     Report last{};
-    CHECK(::read(ends[0], &last, sizeof last) == sizeof last);
+    for (unsigned i = 0; i <= more; ++i) CHECK(::read(ends[0], &last, sizeof last) == sizeof last);
     std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
     ::kill(child, SIGKILL);
     int status = 0;
@@ -129,7 +129,8 @@ TEST_CASE("an editing process may be killed at any moment: what it had written i
     std::mt19937 random(7);
     int with_work = 0, mid_write = 0, mid_drop = 0;
     for (int i = 0; i < kills(200); ++i) {
-        const Report last = last_report_of_killed<Report>([&](auto report) { write_journals(place, report); }, random() % 6'000);
+        const auto more = static_cast<unsigned>(random() % 200);
+        const Report last = last_report_of_killed<Report>([&](auto report) { write_journals(place, report); }, random() % 1'000, more);
         const Orphans orphans = find_orphans(place);
         INFO("kill " << i << ", last report " << last.kind << " of state " << last.state);
         REQUIRE(orphans.unreadable.empty());
@@ -150,7 +151,7 @@ TEST_CASE("an editing process may be killed at any moment: what it had written i
         REQUIRE(files_in(place) == 0);
     }
     if (kills(200) > 200) WARN(with_work << " left work, " << mid_write << " died during a write, " << mid_drop << " during a drop");
-    CHECK(with_work > kills(200) / 4);  // on a busy machine many die before their first state
+    CHECK(with_work > kills(200) / 2);
 }
 
 TEST_CASE("an editor that is killed at any moment loses no step that was done: restored, or saved, byte for byte") {
