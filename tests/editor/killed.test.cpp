@@ -1,16 +1,17 @@
 // Processes that are killed while they edit, at random moments.
-#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <optional>
 #include <random>
 #include <thread>
 
 #include "editor/keep_work.h"
+#include "engine/core/numbers.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -58,7 +59,7 @@ Report last_report_of_killed(Work work, std::int64_t microseconds, unsigned more
 /// How often a test kills: PINFIELD_KILLS asks for another number.
 int kills(int usually) {
     const char* const text = std::getenv("PINFIELD_KILLS");
-    return text ? std::atoi(text) : usually;
+    return text ? static_cast<int>(parse_number(text).value_or(usually)) : usually;
 }
 
 /// The n-th state of some table: its text grows and shrinks.
