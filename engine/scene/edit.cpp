@@ -108,7 +108,7 @@ Reason why_impossible(const Scene& scene, const Rename& edit) {
     if (edit.from == edit.to) return {};
     const bool is_material = edit.node && scene.find(edit.node)->is_record();
     if (is_material || !edit.node) {
-        if (!is_name(edit.to)) return fmt::format("{} is no name: small letters, digits and _", edit.to);
+        if (!is_name(edit.to)) return fmt::format("{} is not a valid id: use small letters, digits and _", edit.to);
     } else if (edit.to.empty()) {
         return why_still_needed(scene, {*scene.find(edit.node)});
     } else if (const Node& node = *scene.find(edit.node); auto why = why_invalid(at(node.type->fields, *node.type->find_field("id")), edit.to)) {
@@ -213,6 +213,7 @@ Reason why_invalid(const Scene& scene, const SetField& edit) {
     if (edit.field < 0 || edit.field >= static_cast<int>(node->fields.size())) return "the node has no such field";
     const FieldType& field = at(node->type->fields, edit.field);
     if (auto why = why_invalid(field, edit.value)) return fmt::format("{} {}", field.key, *why);
+    if (field.meta.required && !edit.is_explicit) return fmt::format("{} needs {}", node->type->key(), field.key);
     if (is_id_field(field)) {
         const auto& id = std::get<std::string>(edit.value);
         if (!id.empty() && is_id_taken(scene, id, edit.node)) return taken_id(id);

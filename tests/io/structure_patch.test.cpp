@@ -8,6 +8,7 @@
 #include "engine/io/fragment.h"
 #include "engine/io/text_patch.h"
 #include "engine/io/yaml_items.h"
+#include "tests/io/random_table.h"
 #include "tests/io/support.h"
 
 using namespace pinfield;
@@ -230,52 +231,6 @@ std::map<std::string, int> comments_of(const Reading& now) {
     return out;
 }
 
-template <class List>
-const auto& any_of(const List& list, CounterRng& rng) {
-    return list[rng.next_u64() % list.size()];
-}
-
-/// Any structural edit of any node that the scene lets pass.
-std::optional<Edit> some_structure(const Reading& now, CounterRng& rng) {
-    const Scene& scene = now.scene;
-    std::vector<NodeId> nodes, parents{NodeId{}};
-    for (const NodeId id : scene.all()) {
-        if (scene.find(id)->type->meta.kind == NodeKind::record) continue;
-        nodes.push_back(id);
-        if (scene.find(id)->type->meta.children.max > 0) parents.push_back(id);
-    }
-    for (int attempt = 0; attempt < 20 && !nodes.empty(); ++attempt) {
-        const NodeId node = any_of(nodes, rng), parent = any_of(parents, rng);
-        const auto count = static_cast<std::uint64_t>(scene.children_of(parent).size());
-        const int index = static_cast<int>(rng.next_u64() % (count + 1));
-        Edit edit = Remove{node};
-        switch (rng.next_u64() % 8) {
-            case 0:
-            case 1: edit = Move{node, parent, index}; break;
-            case 2: {
-                Subtree copy = scene.with_new_ids(scene.copy(node));
-                for (Node& each : copy) {
-                    each.name.clear();
-                    at(each.fields, *each.type->find_field("id")) = {std::string(), false, {}};
-                }
-                edit = Insert{parent, index, std::move(copy)};
-                break;
-            }
-            case 3:
-                if (count == 0) continue;
-                edit = Wrap{parent, static_cast<int>(rng.next_u64() % count), 1 + static_cast<int>(rng.next_u64() % 2),
-                            new_node(scene, rng.next_u64() % 2 ? "union" : "group")};
-                break;
-            case 4: edit = Unwrap{node}; break;
-            case 5: edit = Rename{node, scene.find(node)->name, "name_" + std::to_string(rng.next_u64() % 50), true}; break;
-            case 6: edit = retyped(scene, node, any_of(catalog()->types(), rng)); break;
-            default: break;
-        }
-        if (!why_invalid(scene, edit)) return edit;
-    }
-    return {};
-}
-
 }  // namespace
 
 TEST_CASE("structural edits of every good table keep the comments of what stays, and can be taken back") {
@@ -288,7 +243,7 @@ TEST_CASE("structural edits of every good table keep the comments of what stays,
         for (int i = 0; i < 40; ++i) {
             INFO(told(now) << now.source().text());
             REQUIRE(now.ok());
-            const std::optional<Edit> edit = some_structure(now, rng);
+            const std::optional<Edit> edit = some_structural_edit(now.scene, rng);
             if (!edit) break;
             Scene expected = now.scene;
             const Edit inverse = pinfield::apply(expected, *edit);
