@@ -97,6 +97,15 @@ void FieldTexture::upload(int width, int height, const float* distance, const sh
         gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R16I, width, height, 0, GL_RED_INTEGER, GL_SHORT, material);
 }
 
+void FieldTexture::upload_rows(int first, int count, const float* distance, const short* material) {
+    const std::size_t from = static_cast<std::size_t>(first) * static_cast<std::size_t>(width_);
+    bind();
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, first, width_, count, GL_RED, GL_FLOAT, distance + from);
+    gl_.BindTexture(GL_TEXTURE_2D, material_);
+    gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, first, width_, count, GL_RED_INTEGER, GL_SHORT, material + from);
+}
+
 void FieldTexture::bind() const {
     gl_.ActiveTexture(GL_TEXTURE1);
     gl_.BindTexture(GL_TEXTURE_2D, material_);

@@ -6,6 +6,7 @@
 
 #include "editor/render/shaders.h"
 #include "engine/program/isolines.h"
+#include "engine/program/raster_change.h"
 
 namespace pinfield::editor {
 
@@ -25,12 +26,24 @@ bool same_view(const Canvas& a, const Canvas& b) {
     return a.size == b.size && a.centre == b.centre && a.pixels_per_metre == b.pixels_per_metre;
 }
 
+/// How far a pixel's look depends on its neighbours, metres: the shadow's length, and as much again as rounds it up.
+constexpr double shading_reach = 0.0085;
+
 /// Box of all solids of a mover, with room for their shadow.
 Box2 mover_window(const Mover& mover) {
     Box2 box = Box2::empty();
     for (const Solid& solid : mover.field.solids) box = box.merged(solid.bounds);
     const double most = 2 * std::max(mover.bounding_radius, 0.05);
     return box.intersected(Box2::centred(most, most)).grown(0.016);
+}
+
+/// Whether the movers of two programs look the same.
+bool same_pictures(const Program& a, const Program& b) {
+    const auto same = [](const Mover& m, const Mover& n) {
+        const auto changed = changed_boxes(m.field, n.field);
+        return m.bounding_radius == n.bounding_radius && changed && changed->empty();
+    };
+    return std::equal(a.movers.begin(), a.movers.end(), b.movers.begin(), b.movers.end(), same);
 }
 
 }  // namespace
@@ -45,46 +58,50 @@ TablePainter::TablePainter(const Gl& gl)
 
 void TablePainter::draw(const ProgramPtr& program, std::span<const MoverPlace> places, std::span<const BallMark> balls,
                         const TableLook& look, const Canvas& canvas) {
-    const bool changed = refresh_table(program, places, look.isolines, canvas);
+    const PixelBox changed = refresh_table(program, places, look.isolines, canvas);
     if (!look.isolines) refresh_movers(program, canvas.pixels_per_metre);
-    if (changed || !(look == kept_look_)) {
-        kept_.begin(canvas.width(), canvas.height());
-        draw_table(*program, look, canvas);
-        kept_.end();
-        kept_look_ = look;
-    }
+    keep_table(*program, changed, look, canvas);
     kept_.show(canvas.left(), canvas.bottom());
     gl_.Viewport(canvas.left(), canvas.bottom(), canvas.width(), canvas.height());
     if (!look.isolines) draw_movers(places, look, canvas);
     draw_balls(balls, canvas);
 }
 
-bool TablePainter::refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines,
-                                 const Canvas& canvas) {
+PixelBox TablePainter::refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines,
+                                     const Canvas& canvas) {
     // Isolines of the whole field need the movers in it; shaded movers are pictures of their own, laid on top.
     std::vector<double> q;
     if (isolines)
         for (const MoverPlace& place : places) q.push_back(place.q);
-    if (program == table_program_ && same_view(canvas, table_canvas_) && q == table_places_) return false;
-    table_program_ = program;
+    const bool same_canvas = table_program_ && same_view(canvas, table_canvas_);
+    if (program == table_program_ && same_canvas && q == table_places_) return {};
+    const bool without_movers = q.empty() && table_places_.empty();
+    const ProgramPtr before = std::exchange(table_program_, program);
     table_canvas_ = canvas;
     table_places_ = std::move(q);
 
-    raster_.width = std::max(1, static_cast<int>(canvas.size.x()));
-    raster_.height = std::max(1, static_cast<int>(canvas.size.y()));
-    raster_.window = canvas.world();
     const sdf::Isa isa = sdf::best_isa();
+    if (same_canvas && without_movers && before->size == program->size) {
+        const PixelBox changed = rasterize_changes(before->fixed, program->fixed, ~LayerMask{0}, isa, raster_);
+        if (changed.bottom > changed.top)
+            table_.upload_rows(changed.top, changed.bottom - changed.top, raster_.distance.data(), raster_.material.data());
+        return changed;
+    }
+    raster_.width = canvas.width();
+    raster_.height = canvas.height();
+    raster_.window = canvas.world();
     rasterize(program->fixed, ~LayerMask{0}, isa, raster_);
     for (std::size_t i = 0; i < table_places_.size(); ++i)
         rasterize_over(program->movers[i], places[i].world_from_mover, isa, raster_);
     table_.upload(raster_.width, raster_.height, raster_.distance.data(), raster_.material.data());
-    return true;
+    return {0, 0, raster_.width, raster_.height};
 }
 
 void TablePainter::refresh_movers(const ProgramPtr& program, double pixels_per_metre) {
     if (program == movers_program_ && pixels_per_metre == movers_scale_) return;
-    movers_program_ = program;
-    movers_scale_ = pixels_per_metre;
+    const ProgramPtr before = std::exchange(movers_program_, program);
+    const bool same_scale = std::exchange(movers_scale_, pixels_per_metre) == pixels_per_metre;
+    if (before && same_scale && same_pictures(*before, *program)) return;
     movers_.clear();
     for (const Mover& mover : program->movers) {
         Raster raster;
@@ -116,6 +133,20 @@ void TablePainter::prepare(const TableLook& look, const Canvas& canvas, const Fi
     field_shader_.set("isolines", look.isolines ? 1 : 0);
     field_shader_.set("spacing", isolines::spacing(1 / canvas.pixels_per_metre));
     texture.bind();
+}
+
+void TablePainter::keep_table(const Program& program, PixelBox changed, const TableLook& look, const Canvas& canvas) {
+    if (!(look == kept_look_)) changed = {0, 0, canvas.width(), canvas.height()};
+    if (changed.left >= changed.right) return;
+    kept_look_ = look;
+    kept_.begin(canvas.width(), canvas.height());
+    const int margin = 3 + static_cast<int>(shading_reach * canvas.pixels_per_metre);
+    const int left = changed.left - margin, bottom = canvas.height() - changed.bottom - margin;
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(left, bottom, changed.right - changed.left + 2 * margin, changed.bottom - changed.top + 2 * margin);
+    draw_table(program, look, canvas);
+    gl_.Disable(GL_SCISSOR_TEST);
+    kept_.end();
 }
 
 void TablePainter::draw_table(const Program& program, const TableLook& look, const Canvas& canvas) {

@@ -44,9 +44,11 @@ private:
         Box2 window;  ///< in the mover's frame
     };
 
-    /// Whether anything changed.
-    bool refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines, const Canvas& canvas);
+    /// The pixels that changed.
+    PixelBox refresh_table(const ProgramPtr& program, std::span<const MoverPlace> places, bool isolines, const Canvas& canvas);
     void refresh_movers(const ProgramPtr& program, double pixels_per_metre);
+    /// Into the kept picture, as far as it looks different from what that shows.
+    void keep_table(const Program& program, PixelBox changed, const TableLook& look, const Canvas& canvas);
     void draw_table(const Program& program, const TableLook& look, const Canvas& canvas);
     void draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas);
     void draw_balls(std::span<const BallMark> balls, const Canvas& canvas);

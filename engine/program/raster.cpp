@@ -10,6 +10,7 @@
 #include "engine/core/at.h"
 #include "engine/program/drawn_solids.h"
 #include "engine/program/evaluate.h"
+#include "engine/program/raster_change.h"
 #include "engine/program/tree.h"
 
 namespace pinfield {
@@ -74,7 +75,9 @@ public:
         pixel_ = raster.window.size().cwiseQuotient(Vec2(raster.width, raster.height));
     }
 
-    void run(LayerMask layers) {
+    /// `changed`: the boxes of what is new since the raster was filled; null: everything is.
+    PixelBox run(LayerMask layers, const std::vector<Box2>* changed) {
+        changed_ = changed;
         std::vector<int> all;
         for (std::size_t i = 0; i < field_.solids.size(); ++i)
             if (field_.solids[i].visible && (field_.solids[i].layers & layers)) all.push_back(static_cast<int>(i));
@@ -89,6 +92,7 @@ public:
         leaf_outlines_.resize(all.size());
         kept_ = all;
         split({0, 0, size}, 0);
+        return sampled_;
     }
 
 private:
@@ -127,10 +131,13 @@ private:
     /// `first`: where the list of the tile's candidates begins in kept_, which ends with it.
     void split(const Tile& tile, std::size_t first) {
         if (tile.x >= raster_.width || tile.y >= raster_.height) return;
+        const PixelBox pixels{tile.x, tile.y, std::min(tile.x + tile.size, raster_.width), std::min(tile.y + tile.size, raster_.height)};
+        if (tile.size == clump_tile && changed_ && is_out_of_reach(raster_, pixels, *changed_)) return;
         const std::size_t mine = kept_.size();
         keep_survivors(tile, first);
         if (tile.size == clump_tile) {
             sample_leaves(tile, std::span(kept_).subspan(mine));
+            sampled_ = merged(sampled_, pixels);
         } else {
             const int half = tile.size / 2;
             for (const int dy : {0, half})
@@ -250,9 +257,16 @@ private:
         }
     }
 
+    static PixelBox merged(const PixelBox& a, const PixelBox& b) {
+        if (a.left >= a.right) return b;
+        return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+    }
+
     const Field& field_;
     sdf::Isa isa_;
     Raster& raster_;
+    const std::vector<Box2>* changed_ = nullptr;
+    PixelBox sampled_;
     DrawnSolids drawn_;
     Materials materials_;
     Vec2 pixel_;  // metres
@@ -274,7 +288,13 @@ void rasterize(const Field& field, LayerMask layers, sdf::Isa isa, Raster& raste
     const std::size_t pixels = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
     raster.distance.resize(pixels);
     raster.material.resize(pixels);
-    Tiler(field, isa, raster).run(layers);
+    Tiler(field, isa, raster).run(layers, nullptr);
+}
+
+PixelBox rasterize_changes(const Field& before, const Field& field, LayerMask layers, sdf::Isa isa, Raster& raster) {
+    if (const auto changed = changed_boxes(before, field)) return Tiler(field, isa, raster).run(layers, &*changed);
+    rasterize(field, layers, isa, raster);
+    return {0, 0, raster.width, raster.height};
 }
 
 void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf::Isa isa, Raster& raster) {

@@ -16,9 +16,18 @@ struct Raster {
     double metres_per_pixel() const { return window.size().x() / width; }
 };
 
+/// Pixels from left and top to right and bottom, those not included.
+struct PixelBox {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
 /// Samples the visible solids of a field. Quadtree over tiles: a tile keeps only solids that can win somewhere in it
 /// (Lipschitz pruning), so most pixels evaluate one or two.
 void rasterize(const Field& field, LayerMask layers, sdf::Isa isa, Raster& raster);
+
+/// The same where the raster holds `before`, with the same layers: samples again only tiles that may have changed. Returns what encloses
+/// them.
+PixelBox rasterize_changes(const Field& before, const Field& field, LayerMask layers, sdf::Isa isa, Raster& raster);
 
 /// Lays a mover, at its present place, over a raster of the static field (minimum of both).
 void rasterize_over(const Mover& mover, const Similarity& world_from_mover, sdf::Isa isa, Raster& raster);
