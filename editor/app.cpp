@@ -138,6 +138,7 @@ double App::passed_seconds() {
 }
 
 void App::look_around(double seconds) {
+    age_message(state_, seconds);
     disk_seconds_ += seconds;
     if (disk_seconds_ < disk_period || state_.document.previewing()) return;
     disk_seconds_ = 0;

@@ -20,6 +20,8 @@
 namespace pinfield::editor {
 namespace {
 
+const std::shared_ptr<const SourceText>& text_of(const AppState& state) { return state.document.scene().sources.shared_main(); }
+
 std::string name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 std::string name_of(const Document& document) { return document.path().empty() ? "the new table" : name_of(document.path()); }
@@ -112,7 +114,7 @@ void close_dialog(AppState& state) {
 }
 
 void accept_path(AppState& state) {
-    if (state.dialog_path.empty()) return say(state, "A path is due", true);
+    if (state.dialog_path.empty()) return say(state, "Type a path first", true);
     if (state.dialog_action == "file.open") {
         if (open_now(state, state.dialog_path)) close_dialog(state);
         return;
@@ -138,13 +140,15 @@ void reload(AppState& state) {
 }
 
 void undo(AppState& state) {
-    say(state, state.document.previewing() ? "Taken back" : fmt::format("Undone: {}", *state.document.undo_label()));
+    const std::string what = state.document.previewing() ? "Cancelled" : fmt::format("Undone: {}", *state.document.undo_label());
     state.document.undo();
+    say(state, what);
 }
 
 void redo(AppState& state) {
-    say(state, fmt::format("Done again: {}", *state.document.redo_label()));
+    const std::string what = fmt::format("Redone: {}", *state.document.redo_label());
     state.document.redo();
+    say(state, what);
 }
 
 void deselect(AppState& state) {
@@ -243,6 +247,17 @@ AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
     run(*this, "view.all");
 }
 
+namespace {
+
+void tell_of_moved_balls(AppState& state) {
+    const std::vector<NodeId>& left = state.session.left();
+    if (left.empty()) return;
+    const std::string what = state.document.scene().path(left.front());
+    say(state, left.size() == 1 ? fmt::format("Moved a ball out of {}", what) : fmt::format("Moved {} balls out of {}", left.size(), what));
+}
+
+}  // namespace
+
 bool asks(const AppState& state) {
     return state.prompt || state.recovery || has_dialog(state) || state.choosing || state.show_help || state.show_command_palette;
 }
@@ -255,7 +270,12 @@ bool enabled(const AppState& state, std::string_view action) {
 
 void run(AppState& state, std::string_view action) {
     state.source.read(state.document);  // typing ends here
-    if (enabled(state, action)) return handler_of(action).run(state);
+    if (enabled(state, action)) {
+        const int said = state.said;
+        handler_of(action).run(state);
+        if (state.said == said && !action.starts_with("view.")) forget_problem(state);
+        return;
+    }
     say(state, fmt::format("{}: not now", find_action(action)->label), true);
 }
 
@@ -263,6 +283,17 @@ void say(AppState& state, std::string message, bool problem) {
     state.message = std::move(message);
     state.message_is_problem = problem;
     ++state.said;
+    state.occasion = {text_of(state), state.selection.nodes()};
+}
+
+void forget_problem(AppState& state) {
+    if (state.message_is_problem) say(state, {});
+}
+
+void age_message(AppState& state, double seconds) {
+    constexpr double readable = 6;
+    state.occasion.age += seconds;
+    if (!state.message_is_problem && !state.message.empty() && state.occasion.age > readable) say(state, {});
 }
 
 void open_file(AppState& state, const std::string& path) {
@@ -307,6 +338,9 @@ void wrap_selection(AppState& state, const NodeType& type) {
 void advance(AppState& state, int ticks) {
     keep_safe(state);  // first of all: whatever comes of the edit, it is not lost
     state.session.follow(state.document);
+    tell_of_moved_balls(state);
+    if (state.occasion.text != text_of(state) && !state.message.empty()) say(state, {});
+    if (state.occasion.selected != state.selection.nodes()) forget_problem(state);
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     if (!state.document.scene().find(state.entered)) state.entered = {};
     if (!asks(state)) state.session.advance(ticks);
@@ -315,13 +349,13 @@ void advance(AppState& state, int ticks) {
 void look_at_disk(AppState& state) {
     const DiskState before = std::exchange(state.disk, state.document.check_disk());
     if (state.disk == DiskState::reloaded) {
-        say(state, fmt::format("{} was changed outside and is shown anew", name_of(state.document)));
+        say(state, fmt::format("{} changed on disk and was reloaded", name_of(state.document)));
         state.disk = DiskState::same;
         if (state.recovery) state.recovery = recovery_of(std::move(state.recovery->orphan), state.document);
     } else if (state.disk == DiskState::broken && before != DiskState::broken) {
-        say(state, fmt::format("{} was changed outside and cannot be read; the last good table runs on", name_of(state.document)), true);
+        say(state, fmt::format("{} changed on disk and cannot be read; the last good table keeps running", name_of(state.document)), true);
     } else if (state.disk == DiskState::conflict && before != DiskState::conflict) {
-        say(state, fmt::format("{} was changed outside too: Reload takes that, Save As keeps yours", name_of(state.document)), true);
+        say(state, fmt::format("{} changed on disk too: Reload takes that version, Save As keeps yours", name_of(state.document)), true);
     } else if (state.disk == DiskState::missing && before != DiskState::missing) {
         say(state, fmt::format("{} is gone from the disk: Save writes it again", name_of(state.document)), true);
     }

@@ -32,6 +32,13 @@ struct Nudge {
     std::shared_ptr<const SourceText> left;  ///< the text they left
 };
 
+/// When a message was said: it goes once this is no longer so.
+struct Occasion {
+    std::shared_ptr<const SourceText> text{};
+    std::vector<NodeId> selected{};
+    double age = 0;  ///< seconds
+};
+
 /// What the mouse does over the table. select: all of it, with the handles of a node; move: nodes only; turn and scale: the selection.
 enum class Tool : unsigned char { select, move, turn, scale };
 
@@ -62,6 +69,7 @@ struct AppState {
     std::string message;        ///< status line; what the last action said
     bool message_is_problem = false;
     int said = 0;               ///< how many messages there were, and how often one went
+    Occasion occasion{};        ///< of the message
     std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for, until dialog.accept or
     std::string dialog_path;    ///< dialog.cancel; what the user typed so far
     std::string replaces{};     ///< another file that was asked about: naming it once more replaces it
@@ -92,8 +100,13 @@ bool plays(const AppState& state);
 bool enabled(const AppState& state, std::string_view action);
 void run(AppState& state, std::string_view action);
 
-/// What the status line says from now on.
+/// What the status line says from now on, until the text changes; a problem also until something else is selected or done, anything else
+/// for some seconds.
 void say(AppState& state, std::string message, bool problem = false);
+/// The status line says nothing more of a problem.
+void forget_problem(AppState& state);
+/// So many seconds have passed.
+void age_message(AppState& state, double seconds);
 /// Opens a file in place of the document (a drop, a recent file), after asking about unsaved work.
 void open_file(AppState& state, const std::string& path);
 /// Applies one edit as one undo step; a refusal becomes the message. True when it was applied.

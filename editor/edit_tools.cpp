@@ -220,7 +220,7 @@ Result<Value> value_of(const FieldType& field, std::string_view text) {
     scalar.kind = YamlKind::scalar;
     scalar.text = written;
     scalar.span = {0, written.size()};
-    if (list && !tree.root) return failure(tree.diagnostics.empty() ? "a value is due" : tree.diagnostics.front().message);
+    if (list && !tree.root) return failure(tree.diagnostics.empty() ? "type a value" : tree.diagnostics.front().message);
     const Catalog none;
     const Limits limits;
     Diagnostics diagnostics;

@@ -54,6 +54,7 @@ void Session::set_slow_motion(int divisor) {
 }
 
 void Session::follow(Document& document) {
+    left_.clear();
     const std::vector<SceneChange> changes = document.take_changes();
     if (changes.empty()) return;
     std::vector<FieldChange> fields;
@@ -76,7 +77,10 @@ void Session::follow(Document& document) {
     judge(document.scene());
 }
 
-void Session::judge(const Scene& scene) { problems_ = warnings_of(program(), scene); }
+void Session::judge(const Scene& scene) {
+    problems_ = warnings_of(program(), scene);
+    left_ = game_->free_balls();
+}
 
 /// Keys may be down since before the table had the inputs they are bound to.
 void Session::press_held() {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "editor/document.h"
 #include "engine/game/game.h"
@@ -29,6 +30,8 @@ public:
     /// does not compile the last good program keeps running and problems() says why. Else problems() are doubts about what runs.
     void follow(Document& document);
     const Diagnostics& problems() const { return problems_; }
+    /// What the balls were in that the last edit had put into something solid; they were moved out.
+    const std::vector<NodeId>& left() const { return left_; }
 
     /// Runs `ticks` ticks (divided by slow motion) when playing.
     void advance(int ticks);
@@ -49,11 +52,12 @@ public:
 
 private:
     void start(ProgramPtr program, NodeParents parents);
-    void judge(const Scene& scene);
+    void judge(const Scene& scene);  ///< the program that runs from now on
     void press_held();
 
     std::optional<Game> game_;
     Diagnostics problems_;
+    std::vector<NodeId> left_;
     bool stale_ = false;  ///< the running program is not that of the scene: only a full compile can mend it
     bool playing_ = true;
     int slow_motion_ = 1, owed_ticks_ = 0;

@@ -110,7 +110,7 @@ private:
         while (at_ < text_.size() && is_part_of_unit(unit_begin)) ++at_;
         const std::string unit(text_.substr(unit_begin, at_ - unit_begin));
         const std::optional<double> number = parse_number(digits);
-        if (!number) fail(digits.empty() ? "a number is due" : fmt::format("{} is no number", digits));
+        if (!number) fail(digits.empty() ? "type a number" : fmt::format("{} is not a number", digits));
         return unit.empty() || !number ? Term{number.value_or(0), true} : quantity(digits + unit);
     }
     bool is_part_of_number(std::size_t begin) const {

@@ -17,8 +17,7 @@ void problem_row(AppState& state, Ui& ui, const Diagnostic& problem, const Sourc
         const NodeId node = node_at(state.document.scene(), problem.where);
         if (node) state.selection.set(node);
         if (sources.find(problem.where)) ui.source.wanted = problem.where.span.begin;
-        state.message = problem.hint.empty() ? problem.message : problem.hint;
-        state.message_is_problem = error;
+        say(state, problem.hint.empty() ? problem.message : problem.hint, error);
     }
     const bool hot = ImGui::IsItemHovered();
     ImGui::PopID();

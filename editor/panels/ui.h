@@ -143,11 +143,10 @@ struct Ui {
     bool frame_wanted = true;  ///< show the whole table in the next frame
 };
 
-/// Shows why an edit did not happen.
+/// Shows why an edit did not happen; one that did ends what was said of a problem.
 inline void tell(AppState& state, const std::optional<std::string>& problem) {
-    if (!problem) return;
-    state.message = *problem;
-    state.message_is_problem = true;
+    if (problem) say(state, *problem, true);
+    else forget_problem(state);
 }
 
 /// The picture and the color for a node's kind; records by their key.

@@ -5,6 +5,7 @@
 
 #include "engine/core/at.h"
 #include "engine/core/hash.h"
+#include "engine/physics/free_place.h"
 #include "engine/scene/parts/bumper.h"
 
 namespace pinfield {
@@ -32,6 +33,25 @@ void Game::set_input(int input, double value) {
 void Game::set_program(ProgramPtr program, NodeParents parents) {
     set_program(std::move(program));
     parents_ = std::move(parents);
+}
+
+std::vector<NodeId> Game::free_balls(double reach) {
+    std::vector<NodeId> left;
+    const std::vector<Ball> balls(world_.balls().begin(), world_.balls().end());
+    for (const Ball& ball : balls) {
+        if (overlap_of(world_, ball) == 0) continue;
+        const Gap gap = gap_at(world_, ball.position, ball.layer);
+        left.push_back(gap.node);
+        const std::optional<Vec2> place = free_place(world_, ball, reach);
+        if (!place) {
+            world_.put_back(ball.id);
+            continue;
+        }
+        // Not faster than it was, and not back into what it came out of.
+        const Vec2 out = *place - ball.position, n = out / std::max(length(out), 1e-12);
+        world_.set_ball(ball.id, *place, ball.velocity - std::min(0.0, dot(ball.velocity, n)) * n);
+    }
+    return left;
 }
 
 void Game::put_balls_back() {

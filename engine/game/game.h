@@ -42,6 +42,9 @@ public:
     void set_program(ProgramPtr program) { world_.set_program(std::move(program)); }
     /// The same where nodes may have come, gone or moved into others.
     void set_program(ProgramPtr program, NodeParents parents);
+    /// Takes balls that an edit has put into something solid out of it: to the nearest free place, or, where there is none within
+    /// `reach` metres, to where they start. Returns what each of them was in.
+    std::vector<NodeId> free_balls(double reach = 0.25);
     void record_paths(bool on) { world_.record_paths(on); }
 
     const World& world() const { return world_; }

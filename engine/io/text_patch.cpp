@@ -69,7 +69,7 @@ std::string patched(std::string text, const std::vector<TextPatch>& patches) {
 /// Why the text does not say what it should, or nothing.
 std::optional<std::string> refute(const Reading& after, const Scene& expected) {
     for (const Diagnostic& d : after.diagnostics)
-        if (d.severity == Severity::error) return fmt::format("the text would say: {}", d.message);
+        if (d.severity == Severity::error) return d.message;
     if (!same_content(after.scene, expected)) return "the text would change more than this value";
     return {};
 }

@@ -128,7 +128,7 @@ std::optional<std::string> read_name(ReadContext& context, const FieldType& fiel
     if (!is_name(node.text)) {
         context.report(
             Code::bad_name, node.span,
-            fmt::format("{} is no name for {}", node.text.empty() ? "an empty text" : shortened(node.text), field.key),
+            fmt::format("{} is not a valid {}", node.text.empty() ? "an empty text" : shortened(node.text), field.key),
             "small letters, digits and _, not beginning with a digit");
         return {};
     }

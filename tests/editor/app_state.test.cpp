@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 
 #include "editor/pick.h"
+#include "engine/core/rng.h"
+#include "engine/physics/free_place.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -228,4 +230,108 @@ TEST_CASE("framing fits the table into the viewport, and zooming keeps the point
     run(state, "view.frame");
     CHECK(state.view.window().contains({0.25, 0.70}));
     CHECK(state.view.window().size().y() < 0.2);
+}
+
+TEST_CASE(
+    "a message goes when the text it was about has changed; a problem also with the next thing done or selected, anything else after some "
+    "seconds") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    REQUIRE(edit(state, change(state.document, "pop", "kick", 3.0), "Change kick"));
+    run(state, "edit.undo");
+    advance(state, 0);
+    CHECK(state.message == "Undone: Change kick");
+    SECTION("another edit, of which nobody said anything") {
+        state.document.edit(change(state.document, "pop", "kick", 2.0), "Change kick");
+        advance(state, 0);
+        CHECK(state.message.empty());
+    }
+    SECTION("time") {
+        age_message(state, 2);
+        CHECK(state.message == "Undone: Change kick");
+        age_message(state, 20);
+        CHECK(state.message.empty());
+    }
+    SECTION("a problem stays, however long it takes to read") {
+        say(state, "no material is called rubbr", true);
+        const int said = state.said;
+        age_message(state, 100);
+        advance(state, 10);
+        CHECK(state.message == "no material is called rubbr");
+        CHECK(state.said == said);
+        SECTION("until something else is selected") {
+            select(state, id_of(state.document, "bat"));
+            advance(state, 0);
+        }
+        SECTION("until something else is done") { run(state, "play.pause"); }
+        SECTION("until it is mended") {
+            state.document.edit(change(state.document, "pop", "kick", 2.0), "Change kick");
+            advance(state, 0);
+        }
+        CHECK(state.message.empty());
+        CHECK_FALSE(state.message_is_problem);
+        CHECK(state.said > said);
+    }
+}
+
+TEST_CASE("no edit leaves a ball in a solid: it is moved to the nearest free place, and said so") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    const auto overlap = [&] {
+        double most = 0;
+        for (const Ball& ball : state.session.world().balls())
+            if (ball.layer == ground_layer) most = std::max(most, overlap_of(state.session.world(), ball));
+        return most;
+    };
+    CounterRng random(2026);
+    int moved = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Vec2 ball = state.session.world().balls()[0].position;
+        const std::string node = i % 3 == 0 ? "shelf" : "pop";
+        Vec2 to(random.in(0.05, 0.45), random.in(0.1, 0.9));
+        if (i % 2 == 0) to = ball + Vec2(random.in(-0.03, 0.03), random.in(-0.03, 0.03));
+        state.message.clear();
+        if (i % 5 == 0)
+            state.document.preview(change(state.document, node, "at", to));
+        else if (state.document.edit(change(state.document, node, "at", to), "Move"))
+            continue;
+        advance(state, 0);
+        CHECK(overlap() == 0);
+        moved += state.message.starts_with("Moved a ball out of ");
+        const Vec2 now = state.session.world().balls()[0].position;
+        CHECK(length(now - ball) < 0.2);
+        CHECK((now == ball) == state.message.empty());
+        advance(state, 25);
+        if (i % 7 == 0 && state.document.can_undo()) {
+            state.document.undo();
+            advance(state, 0);
+            CHECK(overlap() == 0);
+        }
+    }
+    CHECK(moved > 50);
+}
+
+TEST_CASE("a ball for which no place is free starts again") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    // All of the table below the ball's start.
+    for (int i = 0; i < 300 && state.session.world().balls()[0].position.y() > 0.55; ++i) advance(state, 10);
+    REQUIRE(state.session.world().balls()[0].position.y() <= 0.55);
+    REQUIRE(edit(state, change(state.document, "shelf", "size", Vec2(0.6, 1.14)), "Fill"));
+    advance(state, 0);
+    CHECK(state.session.world().balls()[0].position == Vec2(0.25, 0.90));
+    CHECK(state.message.starts_with("Moved a ball out of shelf"));
+}
+
+TEST_CASE("a ball that is moved out is no faster, and not on its way back in") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    advance(state, 300);
+    const Ball before = state.session.world().balls()[0];
+    REQUIRE(length(before.velocity) > 0.1);
+    REQUIRE(edit(state, change(state.document, "pop", "at", Vec2(before.position + Vec2(0.004, -0.01))), "Over the ball"));
+    advance(state, 0);
+    const Ball after = state.session.world().balls()[0];
+    CHECK(length(after.velocity) <= length(before.velocity));
+    CHECK(dot(after.velocity, after.position - before.position) >= -1e-12);
 }

@@ -14,7 +14,7 @@ namespace {
 void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const YamlNode& value) {
     if (!is_plain_key(key)) return;
     if (!is_name(key.text))
-        return context.report(Code::bad_name, key.span, fmt::format("{} is no name for an input", key.text),
+        return context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for an input", key.text),
                               "small letters, digits and _");
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
     InputBinding binding{std::string(key.text), {}, context.source.place({key.span.begin, value.span.end})};

@@ -26,7 +26,7 @@ void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& s
                            fmt::format("the fields of {} are indented too little", section.key(i - 1).text),
                            "indent two more");
         else if (!is_name(key.text))
-            context.report(Code::bad_name, key.span, fmt::format("{} is no name for a material", key.text),
+            context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for a material", key.text),
                            "small letters, digits and _");
         else
             read_record(context, scene.add_material(std::string(key.text)), key, body);
