@@ -48,7 +48,7 @@ const std::vector<Row>& layer_table() {
         // fsync before rename: what no C++ library offers, and POSIX (emscripten too) does.
         {"engine/io/files",
          {"engine/core/", "engine/io/"},
-         {"sys/stat.h", "unistd.h", "fcntl.h"}},
+         {"sys/file.h", "sys/stat.h", "unistd.h", "fcntl.h"}},
         {"engine/program/", {"engine/core/", "engine/reflect/", "engine/sdf/", "engine/scene/"}, {"Eigen/", "xsimd/"}},
         {"engine/physics/", {"engine/core/", "engine/program/", "engine/scene/parts/", "engine/sdf/piece.h"}, {"Eigen/"}},
         {"engine/game/", {"engine/core/", "engine/scene/", "engine/program/", "engine/physics/"}, {}},

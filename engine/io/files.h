@@ -18,12 +18,12 @@ struct FileStart {
 };
 Result<FileStart> read_file_start(const std::string& path, std::size_t most);
 
-/// Replaces a file's content, or makes the file. Readers see the old content or the new, never half of it, whenever the
-/// machine stops.
+/// Replaces a file's content, or makes the file; mode and, where the system lets it, owner stay. Readers see the old content or the new,
+/// never half of it, whenever the machine stops. A failure may come after the new content is there: when the disk does not confirm it.
 Result<bool> write_file(const std::string& path, const std::string& content);
 
-/// write_file() for a document: refuses when the disk no longer holds `expected` (nothing: the file must not exist
-/// yet), and keeps what was there as `path`.bak.
+/// write_file() for a document: refuses when the disk no longer holds `expected` (nothing: the file must not exist yet), and keeps what
+/// was there as `path`.bak where that can be. Of two programs that save over the same content, by this function, one is refused.
 Result<bool> save_file(const std::string& path, const std::string& content, const std::optional<std::string>& expected);
 
 }  // namespace pinfield

@@ -12,6 +12,7 @@
 
 #include "editor/keep_work.h"
 #include "engine/core/numbers.h"
+#include "engine/io/files.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -91,6 +92,19 @@ void write_journals(const std::string& folder, Tell tell) {
     }
 }
 
+/// The n-th text of a table that is saved again and again, of some kilobytes.
+std::string saved_text(int n) { return std::string(static_cast<std::size_t>(2'000 + 500 * (n % 9)), static_cast<char>('a' + n % 26)) + std::to_string(n); }
+
+/// Tells 2n when save n begins, 2n + 1 when it is done.
+template <class Tell>
+void save_and_save(const std::string& table, Tell tell) {
+    for (int n = 1;; ++n) {
+        tell(2 * n);
+        if (!save_file(table, saved_text(n), saved_text(n - 1))) return;
+        tell(2 * n + 1);
+    }
+}
+
 AppState keeping_state(const Folder& folder) {
     AppState state(catalog(), *Document::open(folder.file("table.yaml"), catalog()));
     keep_work(state, folder.file("journals"));
@@ -153,6 +167,29 @@ TEST_CASE("an editing process may be killed at any moment: what it had written i
     }
     if (kills(200) > 200) WARN(with_work << " left work, " << mid_write << " died during a write, " << mid_drop << " during a drop");
     CHECK(with_work > kills(200) / 2);
+}
+
+TEST_CASE("a saving process may be killed at any moment: the file is whole, a save that was done is there, and the next one clears up") {
+    const Folder folder;
+    const std::string table = folder.file("table.yaml");
+    std::mt19937 random(5);
+    int amid = 0, strays = 0;
+    for (int kill = 0; kill < kills(300); ++kill) {
+        folder.write("table.yaml", saved_text(0));
+        const auto more = static_cast<unsigned>(random() % 20);
+        const int last = last_report_of_killed<int>([&](auto report) { save_and_save(table, report); }, random() % 1'000, more);
+        const bool done = last % 2 == 1;
+        const int n = last / 2;
+        INFO("kill " << kill << " at save " << n << (done ? ", done" : ", begun"));
+        const std::string now = folder.read("table.yaml");
+        REQUIRE((now == saved_text(n) || (!done && now == saved_text(n - 1))));
+        amid += !done;
+        strays += files_in(fs::path(table).parent_path().string()) > 2;
+        REQUIRE(save_file(table, "after", now));
+        REQUIRE(files_in(fs::path(table).parent_path().string()) == 2);
+    }
+    if (kills(300) > 300) WARN(amid << " died during a save, " << strays << " left a temporary file, which the next save took away");
+    CHECK(amid > kills(300) / 4);
 }
 
 TEST_CASE("an editor that is killed at any moment loses no step that was done: restored, or saved, byte for byte") {

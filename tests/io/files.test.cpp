@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <thread>
 #include <fstream>
 #include <iterator>
 
@@ -75,6 +76,75 @@ TEST_CASE("saving through a symbolic link replaces what it points at and keeps t
     CHECK(fs::is_symlink(folder.file("link.yaml")));
     CHECK(*read_file(folder.file("real.yaml")) == "two");
     CHECK(fs::status(folder.file("real.yaml")).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("a backup is as private as the table, follows no link and stands in nobody's way") {
+    const Folder folder;
+    const std::string table = folder.file("t.yaml"), backup = table + ".bak";
+    REQUIRE(write_file(table, "one"));
+    const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
+    fs::permissions(table, own);
+    SECTION("private") {
+        REQUIRE(save_file(table, "two", "one"));
+        CHECK(fs::status(backup).permissions() == own);
+    }
+    SECTION("a link") {
+        REQUIRE(write_file(folder.file("precious"), "precious"));
+        fs::create_symlink("precious", backup);
+        REQUIRE(save_file(table, "two", "one"));
+        CHECK(*read_file(folder.file("precious")) == "precious");
+        CHECK(*read_file(backup) == "one");
+        CHECK_FALSE(fs::is_symlink(backup));
+    }
+    SECTION("a folder of its name") {
+        fs::create_directory(backup);
+        REQUIRE(save_file(table, "two", "one"));
+        CHECK(*read_file(table) == "two");
+        CHECK(folder.count() == 2);
+    }
+    SECTION("a name that leaves no room for .bak") {
+        const std::string longest = folder.file(std::string(255, 'n').c_str());
+        REQUIRE(save_file(longest, "one", std::nullopt));
+        REQUIRE(save_file(longest, "two", "one"));
+        CHECK(*read_file(longest) == "two");
+    }
+}
+
+TEST_CASE("a link to nothing is not replaced") {
+    const Folder folder;
+    fs::create_symlink("nowhere.yaml", folder.file("t.yaml"));
+    CHECK_FALSE(save_file(folder.file("t.yaml"), "mine", std::nullopt));
+    CHECK_FALSE(write_file(folder.file("t.yaml"), "mine"));
+    CHECK(fs::is_symlink(folder.file("t.yaml")));
+}
+
+TEST_CASE("what a process that died left of a save is cleared away by the next one") {
+    const Folder folder;
+    REQUIRE(write_file(folder.file("t.yaml"), "one"));
+    REQUIRE(write_file(folder.file(".t.yaml.saving-0"), "hal"));
+    REQUIRE(write_file(folder.file(".other.yaml.saving-0"), "of another"));
+    REQUIRE(write_file(folder.file("t.yaml"), "two"));
+    CHECK_FALSE(fs::exists(folder.file(".t.yaml.saving-0")));
+    CHECK(fs::exists(folder.file(".other.yaml.saving-0")));
+}
+
+TEST_CASE("of two who save over the same text at once, one is refused") {
+    const Folder folder;
+    const std::string table = folder.file("t.yaml");
+    REQUIRE(write_file(table, "0"));
+    int both = 0;
+    for (int round = 0; round < 60; ++round) {
+        const std::string before = *read_file(table);
+        bool saved[2] = {};
+        std::thread threads[2];
+        for (int i = 0; i < 2; ++i)
+            threads[i] = std::thread([&, i] { saved[i] = save_file(table, std::to_string(10 * round + 10 + i), before).has_value(); });
+        for (std::thread& thread : threads) thread.join();
+        CHECK(saved[0] != saved[1]);
+        CHECK(*read_file(table) == std::to_string(10 * round + 10 + (saved[1] ? 1 : 0)));
+        both += saved[0] && saved[1];
+    }
+    CHECK(both == 0);
 }
 
 TEST_CASE("a folder that is not there is a failure with its name") {
