@@ -120,31 +120,49 @@ Result<std::optional<struct stat>> status_of(const fs::path& target, const std::
     return std::optional<struct stat>();
 }
 
-bool fill(Descriptor& out, const std::string& content, const std::optional<struct stat>& like) {
+bool fill(const Descriptor& out, const std::string& content, const std::optional<struct stat>& like) {
     if (like) {  // the umask may have taken bits away; the owner is kept where the system allows it
         if (::fchown(out.number(), like->st_uid, like->st_gid) != 0) errno = 0;
         if (again([&] { return ::fchmod(out.number(), like->st_mode & 07777); }) != 0) return false;
     }
-    return write_all(out.number(), content) && again([&] { return ::fsync(out.number()); }) == 0 && out.close();
+    return write_all(out.number(), content) && again([&] { return ::fsync(out.number()); }) == 0;
+}
+
+/// Tries names for a temporary file until one is free. Its path, or empty: why not is in errno.
+template <class Make>
+fs::path made_beside(const fs::path& target, Make make) {
+    for (int i = 0; i < 100; ++i) {
+        const fs::path temporary = folder_of(target) / fmt::format("{}{}", temporary_prefix(target), i);
+        if (again([&] { return make(temporary.c_str()); }) >= 0) return temporary;
+        if (errno != EEXIST) return {};
+    }
+    return {};
 }
 
 /// Puts a file with this content in the place of the target, whole or not at all. Messages speak of the file that the user knows.
+/// `nameless`: until it is whole the file has no name where there are such files, and goes with the process whenever that dies.
 Result<bool> replace_file(const fs::path& target, const std::string& content, const std::optional<struct stat>& like, FolderLock& lock,
-                          const std::string& path) {
+                          const std::string& path, bool nameless = true) {
     if (lock.held()) clear_strays(target);
+    const mode_t mode = like ? 0600 : 0666;
     fs::path temporary;
     int number = -1;
-    for (int i = 0; number < 0 && i < 100; ++i) {
-        temporary = folder_of(target) / fmt::format("{}{}", temporary_prefix(target), i);
-        const mode_t mode = like ? 0600 : 0666;
-        number = again([&] { return ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
-        if (number < 0 && errno != EEXIST) break;
-    }
+    if (nameless) number = again([&] { return ::open(folder_of(target).c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, mode); });
+    nameless = number >= 0;
+    const auto make = [&](const char* name) { return number = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); };
+    if (!nameless) temporary = made_beside(target, make);
     Descriptor out(number);
     if (!out) return refused("write", path);
-    if (!fill(out, content, like) || again([&] { return ::rename(temporary.c_str(), target.c_str()); }) != 0) {
+    bool done = fill(out, content, like);
+    if (done && nameless) {
+        const std::string self = fmt::format("/proc/self/fd/{}", out.number());
+        temporary = made_beside(target, [&](const char* name) { return ::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW); });
+        if (temporary.empty()) return replace_file(target, content, like, lock, path, false);
+    }
+    done = done && out.close() && again([&] { return ::rename(temporary.c_str(), target.c_str()); }) == 0;
+    if (!done) {
         const auto failed = refused("write", path);
-        ::unlink(temporary.c_str());
+        if (!temporary.empty()) ::unlink(temporary.c_str());
         return failed;
     }
     if (!lock.sync()) return refused("make sure of", path);

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "editor/panels/ui.h"
-#include "editor/widgets/screen_text.h"
+#include "tests/editor/screen.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -23,36 +22,20 @@ std::vector<std::string> titles(const AppState& state, std::string_view query, s
 }
 using Titles = std::vector<std::string>;
 
-class Desk {
+class Desk : public Screen {
 public:
-    Desk() : state_(opened_state(folder_)) {
-        ImGui::CreateContext();
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.DisplaySize = {1000, 800};
-        for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-        ui_.theme = make_theme(1, 14);
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    Desk() : Screen({1000, 800}), state_(opened_state(folder_)) {
         run(state_, "view.command_palette");
         for (int i = 0; i < 3; ++i) frame();
     }
-    ~Desk() { ImGui::DestroyContext(); }
-    Desk(const Desk&) = delete;
-    Desk& operator=(const Desk&) = delete;
 
     AppState& state() { return state_; }
-    Ui& ui() { return ui_; }
     void frame() {
-        ImGui::GetIO().DeltaTime = 1.0f / 60;
-        ImGui::NewFrame();
-        ui_.hovered = {};
-        viewport_panel(state_, ui_, {0, 0}, {1000, 800});
-        command_palette(state_, ui_);
-        advance(state_, 0);
-        ImGui::Render();
-        seen_ = screen_texts();
+        frame_of([&] {
+            viewport_panel(state_, ui_, {0, 0}, {1000, 800});
+            command_palette(state_, ui_);
+            advance(state_, 0);
+        });
     }
     void type(const std::string& characters) {
         for (const char c : characters) {
@@ -84,8 +67,6 @@ public:
 private:
     Folder folder_;
     AppState state_;
-    Ui ui_;
-    std::vector<ScreenText> seen_;
 };
 
 }  // namespace

@@ -2,8 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "editor/keep_work.h"
-#include "editor/panels/ui.h"
-#include "editor/widgets/screen_text.h"
+#include "tests/editor/screen.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -13,30 +12,16 @@ using namespace pinfield::editor::test;
 namespace {
 
 /// The dialogs of an editor, and its keys.
-class Desk {
+class Desk : public Screen {
 public:
-    explicit Desk(AppState& state) : state_(state) {
-        ImGui::CreateContext();
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.DisplaySize = {1000, 800};
-        for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-        ui_.theme = make_theme(1, 14);
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    }
-    ~Desk() { ImGui::DestroyContext(); }
-    Desk(const Desk&) = delete;
-    Desk& operator=(const Desk&) = delete;
+    explicit Desk(AppState& state) : Screen({1000, 800}), state_(state) {}
 
     void frame() {
-        ImGui::GetIO().DeltaTime = 1.0f / 60;
-        ImGui::NewFrame();
-        path_dialog(state_, ui_);
-        prompt_dialog(state_, ui_);
-        recovery_dialog(state_, ui_);
-        ImGui::Render();
+        frame_of([&] {
+            path_dialog(state_, ui_);
+            prompt_dialog(state_, ui_);
+            recovery_dialog(state_, ui_);
+        });
     }
     void press(ImGuiKey key) {
         for (const bool down : {true, false}) {
@@ -45,13 +30,11 @@ public:
         }
     }
     bool shows(const std::string& text) const {
-        const auto seen = screen_texts();
-        return std::any_of(seen.begin(), seen.end(), [&](const ScreenText& t) { return t.text.find(text) != std::string::npos; });
+        return std::any_of(seen_.begin(), seen_.end(), [&](const ScreenText& t) { return t.text.find(text) != std::string::npos; });
     }
 
 private:
     AppState& state_;
-    Ui ui_;
 };
 
 /// An editor that finds the work of one that died.

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "editor/panels/ui.h"
 #include "tests/conformance/spectacles.h"
-#include "editor/widgets/screen_text.h"
+#include "tests/editor/screen.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -18,31 +17,19 @@ namespace {
 const ImVec2 panel_size{340, 900};  // room for every row of any node
 
 /// An inspector alone on a screen of its own size.
-class Inspector {
+class Inspector : public Screen {
 public:
     Inspector(std::shared_ptr<const Catalog> known, const std::string& table)
-        : state_(known, *Document::open(folder_.write("table.yaml", table), known)) {
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;
-        ImGui::GetIO().DisplaySize = panel_size;
-        ui_.theme = make_theme(1, 14);
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
-    }
-    ~Inspector() { ImGui::DestroyContext(); }
-    Inspector(const Inspector&) = delete;
-    Inspector& operator=(const Inspector&) = delete;
+        : Screen(panel_size), state_(known, *Document::open(folder_.write("table.yaml", table), known)) {}
 
     AppState& state() { return state_; }
     void select(std::string_view id) { state_.selection.set(id_of(state_.document, id)); }
 
     const std::vector<ScreenText>& frame() {
-        ImGui::GetIO().DeltaTime = 1.0f / 60;
-        ImGui::NewFrame();
-        inspector_panel(state_, ui_, {0, 0}, panel_size);
-        ImGui::Render();
-        return seen_ = screen_texts();
+        frame_of([&] {
+            inspector_panel(state_, ui_, {0, 0}, panel_size);
+        });
+        return seen_;
     }
     const ScreenText* find(std::string_view text) const {
         const auto found = std::find_if(seen_.begin(), seen_.end(), [&](const ScreenText& t) { return t.text == text; });
@@ -70,8 +57,6 @@ public:
 private:
     Folder folder_;
     AppState state_;
-    Ui ui_;
-    std::vector<ScreenText> seen_;
 };
 
 }  // namespace

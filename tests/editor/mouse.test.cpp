@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "editor/panels/ui.h"
-#include "editor/widgets/screen_text.h"
+#include "tests/editor/screen.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -27,25 +26,14 @@ scene:
 )";
 
 /// Tree to the left, table to the right, and a mouse.
-class Desk {
+class Desk : public Screen {
 public:
-    explicit Desk(const std::string& table = pair_of_discs) : state_(opened_state(folder_, table)) {
+    explicit Desk(const std::string& table = pair_of_discs) : Screen({1000, 800}), state_(opened_state(folder_, table)) {
         state_.snapping = false;
-        ImGui::CreateContext();
-        ImGui::GetIO().IniFilename = nullptr;
-        ImGui::GetIO().DisplaySize = {1000, 800};
-        ui_.theme = make_theme(1, 14);
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
         for (int i = 0; i < 3; ++i) frame();
     }
-    ~Desk() { ImGui::DestroyContext(); }
-    Desk(const Desk&) = delete;
-    Desk& operator=(const Desk&) = delete;
 
     AppState& state() { return state_; }
-    Ui& ui() { return ui_; }
     std::string text() const { return state_.document.source().text(); }
     NodeId id(std::string_view node) const { return id_of(state_.document, node); }
     Vec2 place(std::string_view node) const { return state_.document.scene().find(node)->get<Vec2>("at"); }
@@ -59,14 +47,11 @@ public:
     }
 
     void frame() {
-        ImGui::GetIO().DeltaTime = 1.0f / 60;
-        ImGui::NewFrame();
-        ui_.hovered = {};
-        hierarchy_panel(state_, ui_, {0, 0}, {250, 800});
-        viewport_panel(state_, ui_, {250, 0}, {750, 800});
-        advance(state_, 0);
-        ImGui::Render();
-        seen_ = screen_texts();
+        frame_of([&] {
+            hierarchy_panel(state_, ui_, {0, 0}, {250, 800});
+            viewport_panel(state_, ui_, {250, 0}, {750, 800});
+            advance(state_, 0);
+        });
     }
     void move_to(const Vec2& pixel) {
         ui_.mouse = pixel;
@@ -113,8 +98,6 @@ public:
 private:
     Folder folder_;
     AppState state_;
-    Ui ui_;
-    std::vector<ScreenText> seen_;
 };
 
 }  // namespace

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <map>
 
-#include "editor/panels/ui.h"
-#include "editor/widgets/screen_text.h"
+#include "tests/editor/screen.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;
@@ -15,39 +14,23 @@ using namespace pinfield::editor::test;
 namespace {
 
 /// The source to the left, the table to the right, a mouse and a keyboard.
-class Desk {
+class Desk : public Screen {
 public:
-    explicit Desk(const std::string& table = pen) : state_(opened_state(folder_, table)) {
-        ImGui::CreateContext();
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.DisplaySize = {1400, 800};
-        for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-        ui_.theme = make_theme(1, 14);
-        unsigned char* pixels = nullptr;
-        int width = 0, height = 0;
-        io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+    explicit Desk(const std::string& table = pen) : Screen({1400, 800}), state_(opened_state(folder_, table)) {
         for (int i = 0; i < 3; ++i) frame();
     }
-    ~Desk() { ImGui::DestroyContext(); }
-    Desk(const Desk&) = delete;
-    Desk& operator=(const Desk&) = delete;
 
     AppState& state() { return state_; }
-    Ui& ui() { return ui_; }
     std::string text() const { return state_.document.source().text(); }
     std::string shown() const { return ui_.source.shown->text(); }
     NodeId id(std::string_view node) const { return id_of(state_.document, node); }
 
     void frame() {
-        ImGui::GetIO().DeltaTime = 1.0f / 60;
-        ImGui::NewFrame();
-        ui_.hovered = {};
-        viewport_panel(state_, ui_, {900, 0}, {500, 800});
-        source_panel(state_, ui_, {0, 0}, {900, 800});
-        advance(state_, 1);
-        ImGui::Render();
-        seen_ = screen_texts();
+        frame_of([&] {
+            viewport_panel(state_, ui_, {900, 0}, {500, 800});
+            source_panel(state_, ui_, {0, 0}, {900, 800});
+            advance(state_, 1);
+        });
     }
     void move_to(ImVec2 pixel) {
         ui_.mouse = {pixel.x, pixel.y};
@@ -113,8 +96,6 @@ private:
 
     Folder folder_;
     AppState state_;
-    Ui ui_;
-    std::vector<ScreenText> seen_;
 };
 
 std::string replaced(std::string text, const std::string& words, const std::string& by) {

@@ -63,7 +63,7 @@ extern "C" {
 
 int open(const char* path, int flags, ...) {
     mode_t mode = 0;
-    if (flags & O_CREAT) {
+    if ((flags & O_CREAT) || (flags & O_TMPFILE) == O_TMPFILE) {
         va_list rest;
         va_start(rest, flags);
         mode = va_arg(rest, mode_t);
@@ -97,6 +97,9 @@ int flock(int file, int operation) { return fails("flock") ? -1 : static_cast<in
 int fchmod(int file, mode_t mode) { return fails("fchmod") ? -1 : static_cast<int>(::syscall(SYS_fchmod, file, mode)); }
 int fchown(int file, uid_t owner, gid_t group) { return fails("fchown") ? -1 : static_cast<int>(::syscall(SYS_fchown, file, owner, group)); }
 int rename(const char* from, const char* to) { return fails("rename") ? -1 : static_cast<int>(::syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to)); }
+int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
+    return fails("linkat") ? -1 : static_cast<int>(::syscall(SYS_linkat, from_folder, from, to_folder, to, flags));
+}
 int unlink(const char* path) { return fails("unlink") ? -1 : static_cast<int>(::syscall(SYS_unlinkat, AT_FDCWD, path, 0)); }
 int stat(const char* path, struct stat* status) {
     return fails("stat") ? -1 : static_cast<int>(::syscall(SYS_newfstatat, AT_FDCWD, path, status, 0));
