@@ -44,6 +44,7 @@ bool open_now(AppState& state, const std::string& path) {
     Result<Document> document = Document::open(path, state.catalog);
     if (!document) return say(state, document.error().message, true), false;
     replace_document(state, std::move(*document));
+    state.recent.add(state.document.path());
     if (has_errors(state.document.diagnostics())) say(state, fmt::format("{} has problems", name_of(state.document)), true);
     else say(state, fmt::format("Opened {}", name_of(state.document)));
     offer_work(state);
@@ -80,6 +81,7 @@ void guard(AppState& state, std::string then_action, std::string path = {}) {
 }
 
 void say_saved(AppState& state) {
+    state.recent.add(state.document.path());
     const bool pending = state.source.pending();
     say(state, fmt::format("Saved {}{}", name_of(state.document), pending ? ", but not the text that does not read yet" : ""), pending);
 }
@@ -200,6 +202,7 @@ constexpr Handler handlers[] = {
     {"view.all", always, [](AppState& s) { s.view.frame({{0, 0}, s.session.program().size}); }},
     {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
     {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
+    {"view.history", always, [](AppState& s) { s.show_history = !s.show_history; }},
     {"view.palette", always, [](AppState& s) { s.show_palette = !s.show_palette; }},
     {"view.changes", always, [](AppState& s) { s.show_changes = !s.show_changes; }},
     {"view.command_palette", always, [](AppState& s) { s.show_command_palette = !s.show_command_palette; }},
@@ -294,6 +297,13 @@ void age_message(AppState& state, double seconds) {
     constexpr double readable = 6;
     state.occasion.age += seconds;
     if (!state.message_is_problem && !state.message.empty() && state.occasion.age > readable) say(state, {});
+}
+
+void go_to_step(AppState& state, std::size_t done) {
+    Document& document = state.document;
+    if (done == document.undo_steps() && !document.previewing()) return;
+    document.go_to(done);
+    say(state, done > 0 ? fmt::format("At: {}", document.step_label(done - 1)) : "At the beginning");
 }
 
 void open_file(AppState& state, const std::string& path) {

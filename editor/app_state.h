@@ -8,6 +8,7 @@
 
 #include "editor/actions.h"
 #include "editor/document.h"
+#include "editor/recent.h"
 #include "editor/recovery.h"
 #include "editor/selection.h"
 #include "editor/session.h"
@@ -77,6 +78,7 @@ struct AppState {
     std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
     std::optional<WorkKeeper> keeper;    ///< none: unsaved work is neither kept nor offered (scripts, tests)
+    RecentFiles recent{};
     std::optional<Recovery> recovery;    ///< unsaved work on offer, until recover.restore, recover.discard or recover.later
     std::vector<Orphan> more_to_recover; ///< offered after it
     bool choosing = false;      ///< File > New asks which table to begin with
@@ -86,6 +88,7 @@ struct AppState {
     bool type_source = false;   ///< the source panel is to take the keyboard
     bool quit = false;
     bool show_palette = true;
+    bool show_history = false;
     bool show_help = false;
     bool show_command_palette = false;
     double real_time = 1;       ///< share of real time that the table was given of late; less than 1: the computer is too slow
@@ -107,6 +110,8 @@ void say(AppState& state, std::string message, bool problem = false);
 void forget_problem(AppState& state);
 /// So many seconds have passed.
 void age_message(AppState& state, double seconds);
+/// Undoes or redoes until so many steps of the history are done.
+void go_to_step(AppState& state, std::size_t done);
 /// Opens a file in place of the document (a drop, a recent file), after asking about unsaved work.
 void open_file(AppState& state, const std::string& path);
 /// Applies one edit as one undo step; a refusal becomes the message. True when it was applied.

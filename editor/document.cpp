@@ -194,6 +194,17 @@ void Document::redo() {
     replay(step, step.source_after, step.ids_after);
 }
 
+std::optional<std::size_t> Document::saved_after() const {
+    if (lost_steps_ > 0 || is_missing()) return {};
+    return saved_position_;
+}
+
+void Document::go_to(std::size_t done) {
+    cancel_preview();
+    while (position_ > done) undo();
+    while (position_ < std::min(done, history_.size())) redo();
+}
+
 const std::string* Document::undo_label() const { return can_undo() ? &history_[position_ - 1].label : nullptr; }
 const std::string* Document::redo_label() const { return can_redo() ? &history_[position_].label : nullptr; }
 

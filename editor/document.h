@@ -63,6 +63,13 @@ public:
     void undo();
     void redo();
     std::size_t undo_steps() const { return position_; }
+    /// The history: steps that are done, then those that were undone.
+    std::size_t steps() const { return history_.size(); }
+    const std::string& step_label(std::size_t step) const { return history_[step].label; }
+    /// How many steps were done when the text was the disk's; nothing where no number of steps leads there.
+    std::optional<std::size_t> saved_after() const;
+    /// Undoes or redoes until so many steps are done.
+    void go_to(std::size_t done);
     const std::string* undo_label() const;
     /// Makes the last two steps one, under the first one's name: a copy, and where it was dragged to. None is left of two that lead back to
     /// where the first began.

@@ -79,6 +79,8 @@ int run_editor(const Arguments& arguments) {
     if (!state) return complain(no_device, state.error().message);
     if (!arguments.journals.empty()) keep_work(*state, arguments.journals);
     else if (!scripted) keep_work(*state, journal_folder());
+    if (!scripted && !journal_folder().empty()) state->recent = RecentFiles(journal_folder() + "/recent");
+    state->recent.add(state->document.path());
     Result<std::unique_ptr<App>> app = App::open(std::move(*state), options);
     if (!app) return complain(no_device, app.error().message);
 

@@ -84,6 +84,17 @@ void left_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float gr
     palette_panel(state, ui, {position.x, position.y + tree + grip}, {size.x, palette});
 }
 
+/// What is selected, and under it what was done.
+void right_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
+    const Theme& theme = ui.theme;
+    const float most = 0.6f * size.y / theme.scale, history = state.show_history ? theme.px(std::min(ui.history_height, most)) : 0;
+    const float inspector = size.y - history - (history > 0 ? grip : 0);
+    inspector_panel(state, ui, position, {size.x, inspector});
+    if (history <= 0) return;
+    splitter("##split_history", {position.x, position.y + inspector}, {size.x, grip}, false, -1, theme.scale, ui.history_height, 80, most);
+    history_panel(state, ui, {position.x, position.y + inspector + grip}, {size.x, history});
+}
+
 /// Nobody types where nothing is seen.
 void leave_source(AppState& state, Ui& ui) {
     ui.source.focused = false;
@@ -117,7 +128,7 @@ void draw_panels(AppState& state, Ui& ui) {
         splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, ui.left, 160, widest);
     }
     if (right > 0) {
-        inspector_panel(state, ui, {window.x - right, top}, {right, height});
+        right_column(state, ui, {window.x - right, top}, {right, height}, grip);
         splitter("##split_right", {end_x, top}, {grip, height}, true, -1, theme.scale, ui.right, 240, widest);
     }
     if (source > 0) {  // after the tree: what is under the mouse there has its lines marked here

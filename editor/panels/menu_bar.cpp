@@ -33,6 +33,21 @@ void document_title(const AppState& state, const Theme& theme) {
     }
 }
 
+/// A click opens one, after asking about unsaved work.
+void recent_menu(AppState& state, const Theme& theme) {
+    if (!ImGui::BeginMenu("Open recent")) return;
+    const std::vector<std::string> paths = state.recent.paths();
+    if (paths.empty()) text_in(theme.body, palette::quiet, "No other table yet");
+    for (const std::string& path : paths) {
+        ImGui::PushID(path.c_str());
+        const std::size_t slash = path.find_last_of('/');
+        if (ImGui::MenuItem(path.substr(slash + 1).c_str())) open_file(state, path);
+        tooltip(theme, path);
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
 }  // namespace
 
 float menu_bar(AppState& state, Ui& ui) {
@@ -45,8 +60,10 @@ float menu_bar(AppState& state, Ui& ui) {
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(12), theme.px(7)));
         for (const std::string_view menu : menus_in_order()) {
             if (ImGui::BeginMenu(std::string(menu).c_str())) {
-                for (const Action& action : all_actions())
+                for (const Action& action : all_actions()) {
                     if (action.menu == menu) action_item(state, theme, action.name);
+                    if (action.name == "file.open") recent_menu(state, theme);
+                }
                 ImGui::EndMenu();
             }
             if (menu != "Edit" || !ImGui::BeginMenu("Add")) continue;

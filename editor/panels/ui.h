@@ -113,7 +113,8 @@ struct Ui {
 
     NodeDrag drag;
     Palette palette;
-    float palette_height = 300;  ///< design pixels
+    float palette_height = 300, history_height = 220;  ///< design pixels
+    std::size_t history_seen = 0;                      ///< steps done when the history was drawn last: it scrolls to where they end
     int starter = 0;             ///< chosen of the tables to begin with
     Magnets magnets;
     TransformDrag transform;
@@ -190,6 +191,7 @@ void node_menu(AppState& state, Ui& ui);
 float menu_bar(AppState& state, Ui& ui);  ///< returns its height
 void hierarchy_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+void history_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void palette_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void transport_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
