@@ -112,6 +112,9 @@ Result<std::optional<struct stat>> status_of(const fs::path& target, const std::
     struct stat status {};
     if (again([&] { return ::stat(target.c_str(), &status); }) == 0) {
         if (!S_ISREG(status.st_mode)) return failure(fmt::format("cannot write {}: it is no ordinary file", path));
+        // Renaming over it would be allowed, but is not what its owner meant.
+        if ((status.st_mode & (S_IWUSR | S_IWGRP | S_IWOTH)) == 0)
+            return failure(fmt::format("cannot write {}: it is read-only; another name, or chmod u+w, helps", path));
         return std::optional(status);
     }
     if (errno != ENOENT && errno != ENOTDIR) return refused("write", path);

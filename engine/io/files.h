@@ -19,7 +19,7 @@ struct FileStart {
 Result<FileStart> read_file_start(const std::string& path, std::size_t most);
 
 /// Replaces a file's content, or makes the file; mode and, where the system lets it, owner stay. Readers see the old content or the new,
-/// never half of it, whenever the machine stops. A failure may come after the new content is there: when the disk does not confirm it.
+/// never half of it, whenever the machine stops. A read-only file is not replaced. A failure may come after the new content is there: when the disk does not confirm it.
 Result<bool> write_file(const std::string& path, const std::string& content);
 
 /// write_file() for a document: refuses when the disk no longer holds `expected` (nothing: the file must not exist yet), and keeps what

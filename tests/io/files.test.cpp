@@ -110,6 +110,19 @@ TEST_CASE("a backup is as private as the table, follows no link and stands in no
     }
 }
 
+TEST_CASE("a read-only file is not replaced") {
+    const Folder folder;
+    const std::string table = folder.file("t.yaml");
+    REQUIRE(write_file(table, "one"));
+    fs::permissions(table, fs::perms::owner_read);
+    const auto saved = save_file(table, "two", "one");
+    REQUIRE_FALSE(saved);
+    CHECK(saved.error().message.find("read-only") != std::string::npos);
+    CHECK_FALSE(write_file(table, "two"));
+    CHECK(*read_file(table) == "one");
+    CHECK(folder.count() == 1);
+}
+
 TEST_CASE("a link to nothing is not replaced") {
     const Folder folder;
     fs::create_symlink("nowhere.yaml", folder.file("t.yaml"));
