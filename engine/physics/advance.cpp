@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "engine/core/at.h"
-#include "engine/physics/state.h"
+#include "engine/physics/contact.h"
 
 namespace pinfield {
 
@@ -27,6 +27,28 @@ void freeze(WorldState& w, std::size_t i) {
 
 }  // namespace
 
+namespace {
+
+/// On its way along a surface a ball gains what it falls, and loses what friction takes of its slip. A parabola beside a circle turns the
+/// velocity rightly but changes its length by what the turn is off: the force that turns does no work.
+void keep_energy(WorldState& w, std::size_t i, const Motion& path, double dt) {
+    Ball& ball = w.balls[i];
+    const Held& held = w.work[i].held;
+    const double r = w.physics.ball_radius;
+    const auto slip = [&](const Vec2& velocity) { return dot(velocity, held.along) - r * ball.spin; };
+    const Vec2 way = dt * path.velocity + (0.5 * dt * dt) * path.acceleration;
+    const double slip_before = slip(path.velocity), kinetic = twice_kinetic(ball, path.velocity, r);
+    ball.spin += dt * held.spin_acceleration;
+    const double rubbed = held.friction * (slip_before + slip(ball.velocity)) * dt;
+    const double kept = kinetic + 2 * dot(w.physics.gravity, way) + rubbed, now = twice_kinetic(ball, ball.velocity, r);
+    if (now <= 0) return;
+    const double scale = kept > 0 ? std::sqrt(kept / now) : 0.0;
+    ball.velocity *= scale;
+    ball.spin *= scale;
+}
+
+}  // namespace
+
 void advance_ball(WorldState& w, std::size_t i, double dt) {
     Ball& ball = w.balls[i];
     BallWork& work = w.work[i];
@@ -36,12 +58,7 @@ void advance_ball(WorldState& w, std::size_t i, double dt) {
         w.paths.push_back({ball.id, w.start_time() + work.time, dt, path.position, path.velocity, path.acceleration});
     ball.position = path.at(dt);
     if (!path.is_straight()) ball.velocity = path.velocity_at(dt);
-    if (work.follows) {
-        // A parabola beside a circle turns the velocity rightly but lengthens it: the force that turns does no work.
-        const Vec2 fallen = ball.position - path.position;
-        const double squared = dot(path.velocity, path.velocity) + 2 * dot(w.physics.gravity, fallen), now = length(ball.velocity);
-        if (squared > 0 && now > 0) ball.velocity *= std::sqrt(squared) / now;
-    }
+    if (work.held.by_surface) keep_energy(w, i, path, dt);
     work.time += dt;
 }
 

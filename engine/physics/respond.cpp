@@ -6,7 +6,7 @@
 #include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/core/trig.h"
-#include "engine/physics/state.h"
+#include "engine/physics/contact.h"
 
 namespace pinfield {
 
@@ -17,50 +17,9 @@ namespace {
 constexpr int most_rounds = 32;
 constexpr int hops_per_tick = 16;    // of a ball that follows a hollow or an accelerating surface
 constexpr double steepest_hop = 0.1; // its normal speed per speed along the hollow: fast balls in narrow ones take more hops instead
-// Sine of the angle between two normals below which they count as one: a normal has 15 digits, and a quotient by less would keep under 7.
-constexpr double least_wedge = 1e-9;
 // Of the sum of two velocities, as a share of their lengths: some 450 roundings of a double, more than one impact makes. A contact that
 // closes slower than this has been resolved already.
 constexpr double rounding_of_speeds = 1e-13;
-// What taking away gravity's part along one normal may leave of it along another that takes it up as well: some 5000 roundings.
-constexpr double rounding_of_gravity = 1e-12;
-
-/// What the surface of a contact is made of, and to whom it belongs.
-struct Surface {
-    int part = -1, material = 0;  ///< indices into the program's
-    NodeId node;
-};
-
-Surface surface_of(const WorldState& w, const Contact& c) {
-    const Program& program = w.program();
-    const Field& field = c.mover < 0 ? program.fixed : at(program.movers, c.mover).field;
-    const Solid& solid = at(field.solids, c.solid);
-    const Op& op = at(field.ops, c.leaf >= 0 ? c.leaf : solid.root);
-    const int part = c.mover < 0 ? solid.part : at(program.movers, c.mover).part;
-    return {part, op.material, part >= 0 ? at(program.parts, part).origin : op.origin};
-}
-
-/// How a surface moves at the contact, and how it yields to an impulse.
-struct SurfaceMotion {
-    Vec2 velocity{0, 0};
-    double acceleration = 0;    ///< along the normal, of the drive
-    double lever_normal = 0, lever_tangent = 0;  ///< change of the surface's velocity per change of rate
-    double yielding = 0;        ///< inverse inertia
-};
-
-SurfaceMotion surface_motion_of(const WorldState& w, const Contact& c, const Vec2& point, const Vec2& tangent) {
-    SurfaceMotion m;
-    if (c.mover < 0) return m;
-    const Mover& mover = at(w.program().movers, c.mover);
-    const MoverState& state = at(w.movers, c.mover);
-    m.velocity = velocity_of(mover, state.rate, point);
-    const Vec2 per_rate = velocity_of(mover, 1, point);
-    m.lever_normal = dot(per_rate, c.normal);
-    m.lever_tangent = dot(per_rate, tangent);
-    m.acceleration = state.acceleration * m.lever_normal;
-    m.yielding = at(w.mover_work, c.mover).stalled ? 0.0 : state.inverse_inertia;
-    return m;
-}
 
 /// Can an end-stop take a change of the mover's rate with this sign, so that the mover does not yield?
 bool stop_holds(const MoverState& s, double change) {
@@ -68,20 +27,22 @@ bool stop_holds(const MoverState& s, double change) {
 }
 
 struct Impact {
-    double approach = 0;     ///< normal speed, m/s
+    double approach = 0;     ///< normal speed, m/s, of the velocity that energy is made of
     double restitution = 0;
     double hop = 0;          ///< normal speed it leaves with instead, m/s, to follow a surface that comes after it
+    double turned = 0;       ///< normal speed, m/s, that weight and the surface's bend may have given it within a tick
     bool collapsed = false;
 };
 
 /// Does the ball still bounce? A train of bounces under the pressing acceleration p lasts 2 u / (p (1 - e)) altogether, so when
 /// that is less than what is left of the tick all of it ends in there (exactly: infinitely many bounces).
 Impact judge(const WorldState& w, const BallWork& work, const Contact& c, const MaterialRecord& material,
-             const SurfaceMotion& surface, double closing, double sliding) {
+             const SurfaceMotion& surface, double closing, double lead, double sliding) {
     Impact impact;
     const double u = std::max(0.0, closing), h = w.physics.step;
+    impact.approach = std::max(0.0, closing - lead);
     const double e0 = w.options.restitution ? *w.options.restitution : material.restitution;
-    const double e = w.options.restitution ? e0 : e0 / (1 + material.falloff * u);
+    const double e = w.options.restitution ? e0 : e0 / (1 + material.falloff * impact.approach);
     const double weight = std::max(0.0, -dot(c.normal, w.physics.gravity));
     const double bend = c.concave_radius > w.physics.ball_radius ? sliding * sliding / (c.concave_radius - w.physics.ball_radius) : 0.0;
     const double pushed = std::max(0.0, surface.acceleration);
@@ -90,7 +51,6 @@ Impact judge(const WorldState& w, const BallWork& work, const Contact& c, const 
     // moves, which must not bounce: 1e-9 of it is far above its rounding, and far below what is seen.
     const bool euler = w.physics.integrator == Integrator::symplectic_euler;
     const double rest = std::max(w.physics.rest_speed, weight * h * (euler ? 1 + 1e-9 : 0.5 * (1 - e)));
-    impact.approach = u;
     // A millionth of the rest speed is rounding, not even e = 1 bounces with it: at 5 nm/s a tick is 5e-5 of the usual tolerance.
     impact.collapsed = u <= 1e-6 * w.physics.rest_speed || (e < 1 && (u <= rest || 2 * u <= press * (1 - e) * left));
     impact.restitution = impact.collapsed ? 0.0 : e;
@@ -118,13 +78,15 @@ struct Meeting {
     SurfaceMotion surface;
     const MaterialRecord& material;
     Impact impact;
+    Vec2 lead;    ///< lead_of() the ball
     double mass;  ///< of the ball, kg
 };
 
 /// Along the normal; returns the ball's gain of speed. `normal`: its speed off the surface before.
 double bounce(Meeting& m, double normal) {
-    double gained = m.impact.approach * (1 + m.impact.restitution) + m.impact.hop;  // impulses in units of the ball's mass
-    if (normal > 0) gained = std::max(0.0, m.impact.hop - normal);
+    const double off = m.impact.restitution * m.impact.approach - dot(m.n, m.lead);  // Newton's law for the velocity of which energy is made
+    const double leaves = m.impact.collapsed ? m.impact.hop : std::max(0.0, off);
+    double gained = std::max(0.0, normal > 0 ? m.impact.hop - normal : leaves - normal);  // impulses in units of the ball's mass
     if (m.surface.yielding > 0) {
         MoverState& state = at(m.w.movers, m.c.mover);
         const double share = m.mass * m.surface.lever_normal * m.surface.lever_normal * m.surface.yielding;
@@ -140,49 +102,53 @@ double bounce(Meeting& m, double normal) {
     return gained;
 }
 
-/// Following a hollow in contact is a polygon of short hops; its corners turn the velocity without slowing it.
-void follow_hollow(Meeting& m, bool follows, double speed_before) {
-    Ball& ball = m.ball;
-    const double hop = m.impact.hop;
-    if (follows && hop > 0) {
-        const double along = dot(ball.velocity, m.t), kept = speed_before * speed_before - hop * hop;
-        if (kept > along * along) ball.velocity = hop * m.n + (along < 0 ? -std::sqrt(kept) : std::sqrt(kept)) * m.t;
-    }
-    // A hop is no push: off a surface at rest the ball leaves no faster than it came.
-    const double speed = length(ball.velocity);
-    if (m.c.mover < 0 && hop > 0 && speed > speed_before) ball.velocity *= speed_before / speed;
-}
-
-/// Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre.
-void rub(Meeting& m, double slip, double gained) {
+/// Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre. Where the ball
+/// stays, its slip is to be gone when the tick ends; where it bounces, the law is for the slip of which energy is made. Either way friction
+/// does no work: it reverses that slip at most. Returns what it takes, in units of twice_kinetic().
+double rub(Meeting& m, double slip, double gained) {
     const bool frictionless = m.w.options.restitution.has_value();
     const double tangential = frictionless ? 1.0 : m.impact.collapsed && m.material.tangential < 1 ? 0.0 : m.material.tangential;
-    if (tangential == 1 || slip == 0) return;
-    const double share = m.mass * m.surface.lever_tangent * m.surface.lever_tangent * m.surface.yielding;
-    const double wanted = -(1 - tangential) * slip / (3 + share), cone = m.material.friction * gained;
-    const double pull = std::clamp(wanted, -cone, cone);
+    const double true_slip = slip + dot(m.t, m.lead);
+    if (tangential == 1 || (slip == 0 && true_slip == 0)) return 0;
+    const double share = m.mass * m.surface.lever_tangent * m.surface.lever_tangent * m.surface.yielding, easily = 3 + share;
+    const double wanted = m.impact.collapsed ? -slip / easily : -(1 - tangential) * true_slip / easily;
+    const double cone = m.material.friction * gained, reversed = -2 * true_slip / easily;
+    const double pull = std::clamp(std::clamp(wanted, -cone, cone), std::min(0.0, reversed), std::max(0.0, reversed));
     m.ball.velocity += pull * m.t;
     m.ball.spin -= 2 * pull / m.w.physics.ball_radius;
     if (m.surface.yielding > 0) at(m.w.movers, m.c.mover).rate -= pull * m.mass * m.surface.lever_tangent * m.surface.yielding;
+    return -pull * (2 * true_slip + 3 * pull);
 }
 
-/// Reports the impact, and kicks the ball where the part does.
-void report(Meeting& m, const Surface& of, const Vec2& point, double time) {
+/// Reports the impact, and kicks the ball where the part does. True when it kicked.
+bool report(Meeting& m, const Surface& of, const Vec2& point, double time) {
     WorldState& w = m.w;
     w.events.push_back({w.tick, time, EventKind::hit, m.ball.id, of.node, point, m.n, m.impact.approach, of.part, of.material});
     const double kick = of.part >= 0 && !w.options.restitution ? kick_of(at(w.program().parts, of.part), m.impact.approach) : 0.0;
-    if (kick <= 0) return;
+    if (kick <= 0) return false;
     m.ball.velocity += kick * m.n;
     w.events.push_back({w.tick, time, EventKind::kick, m.ball.id, of.node, point, m.n, kick, of.part, of.material});
+    return true;
+}
+
+/// Charges an impact to the ball's budget. A ball that follows a surface is turned by it, which costs nothing; what it closes with beyond
+/// that, and what it closes with where it arrives anew, it loses.
+void charge(Budget& budget, const WorldState& w, const Meeting& m, const BallMemory& memory, double closing, double rubbed) {
+    const Impact& impact = m.impact;
+    const bool follows = impact.collapsed && m.c.mover < 0 && memory.slide_tick >= w.tick - 1 && m.c.surface() == memory.slide;
+    const double excess = std::max(0.0, closing - impact.turned);
+    budget.lost += rubbed + (follows ? excess * std::max(0.0, 2 * impact.approach - excess) : 0.0);
+    budget.turns = budget.turns && follows && impact.turned > 0;
+    budget.open = budget.open || m.c.mover >= 0;
 }
 
 /// Changes velocities at one contact. True when the contact was closing.
-bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
+bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced, Budget& budget) {
     Ball& ball = w.balls[i];
     const BallWork& work = w.work[i];
     BallMemory& memory = w.memories[i];
     const double r = w.physics.ball_radius;
-    const Vec2 n = c.normal, t = perpendicular(n), point = ball.position - r * n;
+    const Vec2 n = c.normal, t = perpendicular(n), point = ball.position - r * n, lead = lead_of(w, i);
     const SurfaceMotion surface = surface_motion_of(w, c, point, t);
     const Vec2 relative = ball.velocity - surface.velocity;
     const double normal = dot(relative, n), slip = dot(relative, t) - r * ball.spin;
@@ -190,18 +156,17 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
     if (!forced && -normal <= rounding_of_speeds * (length(ball.velocity) + length(surface.velocity))) return false;
     const Surface of = surface_of(w, c);
     const MaterialRecord& material = at(w.program().materials, of.material);
-    const Impact impact = judge(w, work, c, material, surface, -normal, dot(relative, t));
-    Meeting m{w, ball, c, n, t, surface, material, impact, w.physics.ball_mass};
+    Impact impact = judge(w, work, c, material, surface, -normal, dot(lead, n), dot(relative, t));
+    if (impact.collapsed && c.mover < 0) {
+        const double bend = bend_of(w, ball, c, dot(relative, t));
+        if (bend > 0) impact.turned = w.physics.step * (bend + std::max(0.0, -dot(n, w.physics.gravity)));
+    }
+    Meeting m{w, ball, c, n, t, surface, material, impact, lead, w.physics.ball_mass};
     c.collapsed = impact.collapsed;
     ++w.stats.impacts;
 
-    const double speed_before = length(ball.velocity);
     const double gained = bounce(m, normal);
-    const Vec2 bounced = ball.velocity;
-    const bool follows =
-        impact.collapsed && c.concave_radius > 0 && c.mover < 0 && memory.slide_tick >= w.tick - 1 && c.surface() == memory.slide;
-    follow_hollow(m, follows, speed_before);
-    rub(m, slip + dot(ball.velocity - bounced, t), gained);
+    charge(budget, w, m, memory, -normal, rub(m, slip, gained));
     if (c.collapsed) {
         memory.slide = c.surface();
         memory.slide_tick = w.tick;
@@ -209,7 +174,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced) {
         scatter(w, ball, c, material, work.impacts);
     }
     if (impact.collapsed && impact.approach <= w.physics.rest_speed) return true;
-    report(m, of, point, w.start_time() + work.time);
+    budget.open = report(m, of, point, w.start_time() + work.time) || budget.open;
     return true;
 }
 
@@ -250,128 +215,47 @@ void gather(WorldState& w, std::size_t i, const Contact& first) {
     });
 }
 
-/// A ball in a wedge of two surfaces on which it no longer bounces stands relative to both: v.n1 = s1 and v.n2 = s2.
-bool settle_in_wedge(WorldState& w, std::size_t i) {
-    const Contact* first = nullptr;
-    Ball& ball = w.balls[i];
-    for (const Contact& c : w.contacts) {
-        if (!c.collapsed) continue;
-        if (!first) { first = &c; continue; }
-        const double wedge = cross(first->normal, c.normal);
-        if (std::fabs(wedge) < least_wedge) continue;
-        const Vec2 point = ball.position - w.physics.ball_radius * c.normal;
-        const Vec2 other = ball.position - w.physics.ball_radius * first->normal;
-        const double s1 = dot(first->normal, surface_motion_of(w, *first, other, {0, 0}).velocity);
-        const double s2 = dot(c.normal, surface_motion_of(w, c, point, {0, 0}).velocity);
-        ball.velocity = Vec2(s1 * c.normal.y() - s2 * first->normal.y(), s2 * first->normal.x() - s1 * c.normal.x()) / wedge;
-        return true;
-    }
-    return false;
-}
-
-/// How a surface treats a ball that is about to come to rest on it.
-struct Grip {
-    bool bounces = false;  ///< for ever: e = 1
-    bool rubs = false;     ///< slip dies on it
-};
-
-Grip grip_of(const WorldState& w, const Contact& c) {
-    if (w.options.restitution) return {*w.options.restitution >= 1, false};
-    const MaterialRecord& material = at(w.program().materials, surface_of(w, c).material);
-    return {material.restitution >= 1, material.friction > 0 && material.tangential < 1};
-}
-
-/// A slow ball on two surfaces between which gravity holds it comes to rest: alternating impulses alone would leave it creeping,
-/// and rolling up one side and down the other by nanometres.
-void rest_in_wedge(WorldState& w, std::size_t i) {
-    Ball& ball = w.balls[i];
-    const Vec2& g = w.physics.gravity;
-    if (length(ball.velocity) > w.physics.rest_speed) return;
-    const bool spins = w.physics.ball_radius * std::fabs(ball.spin) > w.physics.rest_speed;
-    for (std::size_t a = 0; a < w.contacts.size(); ++a)
-        for (std::size_t b = a + 1; b < w.contacts.size(); ++b) {
-            const Contact &first = w.contacts[a], &second = w.contacts[b];
-            if (first.mover >= 0 || second.mover >= 0) continue;
-            const double wedge = cross(first.normal, second.normal);
-            if (std::fabs(wedge) < least_wedge) continue;
-            const double on_first = -cross(g, second.normal) / wedge, on_second = -cross(first.normal, g) / wedge;
-            if (on_first < 0 || on_second < 0) continue;
-            const Grip grips[] = {grip_of(w, first), grip_of(w, second)};
-            const bool rubs = grips[0].rubs || grips[1].rubs;
-            if (grips[0].bounces || grips[1].bounces || (rubs && spins)) continue;
-            ball.velocity = {0, 0};
-            if (rubs) ball.spin = 0;
-            return;
-        }
-}
-
-/// How far the ball's centre is from the centre of curvature of the surface that it touches: infinity on what is straight or hollow.
-double turning_radius(const WorldState& w, const Ball& ball, const Contact& c) {
-    if (c.piece < 0) return infinity;
-    return nearest_on(at(w.prepared->fixed.pieces(), c.piece), ball.position).convex_radius + w.physics.ball_radius;
-}
-
-/// In contact, gravity is taken up by the surfaces the ball stays on: what is left of it lies in the cone they leave free. On something
-/// round part of it turns the ball about the centre of curvature, as long as there is enough of it; a faster ball flies off.
-void constrain(WorldState& w, std::size_t i) {
-    BallWork& work = w.work[i];
-    work.follows = false;
-    if (w.physics.integrator == Integrator::symplectic_euler) return;
-    const Vec2& g = w.physics.gravity;
-    const Contact* only = nullptr;
-    int holding = 0;
-    Vec2 a = g;
-    for (const Contact& c : w.contacts) {
-        if (!c.collapsed || c.mover >= 0) continue;
-        const double into = dot(c.normal, a);
-        if (into < 0) a -= into * c.normal;
-        only = &c;
-        ++holding;
-    }
-    for (const Contact& c : w.contacts)
-        if (c.collapsed && c.mover < 0 && dot(c.normal, a) < -rounding_of_gravity * length(g)) a = {0, 0};
-    if (holding == 1) {
-        const Ball& ball = w.balls[i];
-        const double along = dot(ball.velocity, perpendicular(only->normal)), turning = along * along / turning_radius(w, ball, *only);
-        if (turning > 0) {
-            const bool holds = turning < -dot(only->normal, g);
-            a = holds ? Vec2(a - turning * only->normal) : g;
-            work.follows = holds;
-        }
-    }
-    work.acceleration = a;
-}
-
-/// Rounding may eat the gap of a ball that stays in contact: put it back to half the tolerance where nothing is in the way. Below
-/// a quarter of it the ball has crept as close as it may (ContactBand::floor_below).
-void restore_gap(WorldState& w, std::size_t i) {
-    for (const Contact& c : w.contacts) {
-        if (!c.collapsed || c.gap >= 0.25 * w.band.tolerance) continue;
-        const bool room = std::all_of(w.contacts.begin(), w.contacts.end(),
-                                      [&](const Contact& other) { return dot(other.normal, c.normal) >= 0; });
-        if (!room) continue;
-        w.balls[i].position += (w.band.target() - c.gap) * c.normal;
-        return;
-    }
-}
-
 }  // namespace
+
+Surface surface_of(const WorldState& w, const Contact& c) {
+    const Program& program = w.program();
+    const Field& field = c.mover < 0 ? program.fixed : at(program.movers, c.mover).field;
+    const Solid& solid = at(field.solids, c.solid);
+    const Op& op = at(field.ops, c.leaf >= 0 ? c.leaf : solid.root);
+    const int part = c.mover < 0 ? solid.part : at(program.movers, c.mover).part;
+    return {part, op.material, part >= 0 ? at(program.parts, part).origin : op.origin};
+}
+
+SurfaceMotion surface_motion_of(const WorldState& w, const Contact& c, const Vec2& point, const Vec2& tangent) {
+    SurfaceMotion m;
+    if (c.mover < 0) return m;
+    const Mover& mover = at(w.program().movers, c.mover);
+    const MoverState& state = at(w.movers, c.mover);
+    m.velocity = velocity_of(mover, state.rate, point);
+    const Vec2 per_rate = velocity_of(mover, 1, point);
+    m.lever_normal = dot(per_rate, c.normal);
+    m.lever_tangent = dot(per_rate, tangent);
+    m.acceleration = state.acceleration * m.lever_normal;
+    m.yielding = at(w.mover_work, c.mover).stalled ? 0.0 : state.inverse_inertia;
+    return m;
+}
 
 void respond(WorldState& w, std::size_t i, const Contact& first) {
     gather(w, i, first);
+    Budget budget = budget_of(w, i);
     for (Contact& c : w.contacts)
-        if (c.surface() == first.surface()) resolve(w, i, c, true);
+        if (c.surface() == first.surface()) resolve(w, i, c, true, budget);
     bool closing = true;
     for (int round = 0; closing && round < most_rounds; ++round) {
         closing = false;
         for (Contact& c : w.contacts)
-            if (resolve(w, i, c, false)) closing = true;
+            if (resolve(w, i, c, false, budget)) closing = true;
         // Surfaces that do not push a ball into each other are done in one round. What still closes after three is a wedge.
         if (closing && round >= 3 && settle_in_wedge(w, i)) break;
     }
     rest_in_wedge(w, i);
+    balance(w, i, budget, restore_gap(w, i, budget));
     constrain(w, i);
-    restore_gap(w, i);
     w.balls[i].free_path = 0;
 }
 

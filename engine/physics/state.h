@@ -23,6 +23,14 @@ struct Contact {
     SurfaceRef surface() const { return {mover, solid, piece}; }
 };
 
+/// What surfaces that a ball stays on do to it on its way.
+struct Held {
+    bool by_surface = false;
+    Vec2 along{0, 0};             ///< unit, of the surface that rubs
+    double friction = 0;          ///< m/s^2 along it; part of the path's acceleration
+    double spin_acceleration = 0; ///< rad/s^2
+};
+
 /// A ball's place in the tick that is being run.
 struct BallWork {
     double time = 0;             ///< seconds into the tick that its position and velocity stand for
@@ -30,7 +38,7 @@ struct BallWork {
     int impacts = 0;
     bool frozen = false;         ///< its budget is spent: it stands still until the next tick
     double travelled = 0;        ///< metres, since the tick began
-    bool follows = false;        ///< its path bends with something round that it rolls over
+    Held held;                   ///< what surfaces do to it on its way: on parabolas only
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
 };
 
@@ -109,6 +117,9 @@ void run_tick(WorldState& w);
 
 /// Ball i meets a surface now (its state stands for its work's time): gathers everything it touches and resolves impulses.
 void respond(WorldState& w, std::size_t i, const Contact& first);
+/// A ball that slid along a surface at rest when the last tick ended, and neither left it nor flies off, is in contact from the
+/// beginning of this one: it does not fall through the band of tolerance first.
+void keep_contact(WorldState& w, std::size_t i);
 /// Balls i and j meet.
 void respond_to_ball(WorldState& w, std::size_t i, std::size_t j);
 /// Moves ball i along its path by dt.

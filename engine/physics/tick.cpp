@@ -45,6 +45,7 @@ void begin_tick(WorldState& w, std::size_t i) {
     filter_velocities(w, i, velocity);
     w.balls[i].velocity = velocity;
     w.work[i].acceleration = acceleration;
+    keep_contact(w, i);
 }
 
 double longest_way(const WorldState& w, std::size_t i) {
