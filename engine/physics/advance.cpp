@@ -158,7 +158,6 @@ public:
     }
 
 private:
-    static std::size_t to_index(int i) { return static_cast<std::size_t>(i); }
     bool moves(std::size_t i) const { return w_.balls[i].state == BallState::rolling && !w_.work[i].frozen; }
     PathSegment standing(std::size_t i) const {
         const BallWork& work = w_.work[i];
@@ -257,7 +256,7 @@ private:
     /// A mover meets a ball that does not move: one at rest wakes, one whose budget is spent stops the mover.
     void meet_immovable(std::size_t i, std::size_t m) {
         if (w_.balls[i].state == BallState::resting) {
-            w_.balls[i].state = BallState::rolling;
+            wake(w_, i);
             replan_ball(i);
             return;
         }
@@ -280,7 +279,7 @@ private:
         if (++w_.work[i].impacts > most_impacts) freeze(w_, i);
         if (++w_.work[j].impacts > most_impacts) freeze(w_, j);
         for (const std::size_t k : {i, j})
-            if (w_.balls[k].state == BallState::resting) w_.balls[k].state = BallState::rolling;
+            if (w_.balls[k].state == BallState::resting) wake(w_, k);
         respond_to_ball(w_, i, j);
         replan_ball(i);
         replan_ball(j);

@@ -17,6 +17,7 @@ namespace {
 constexpr int most_rounds = 32;
 constexpr int hops_per_tick = 16;    // of a ball that follows a hollow or an accelerating surface
 constexpr double steepest_hop = 0.1; // its normal speed per speed along the hollow: fast balls in narrow ones take more hops instead
+constexpr int impacts_of_a_crowd = 16;  // of one ball in one tick: balls that rattle between others stop doing so, unless they bounce for ever
 // Of the sum of two velocities, as a share of their lengths: some 450 roundings of a double, more than one impact makes. A contact that
 // closes slower than this has been resolved already.
 constexpr double rounding_of_speeds = 1e-13;
@@ -24,6 +25,13 @@ constexpr double rounding_of_speeds = 1e-13;
 /// Can an end-stop take a change of the mover's rate with this sign, so that the mover does not yield?
 bool stop_holds(const MoverState& s, double change) {
     return (s.q >= s.q_max && s.rate + change > 0) || (s.q <= s.q_min && s.rate + change < 0);
+}
+
+/// Would its drive have a mover that leans on its stop back there within half a tick, were its rate changed so? Then it does not yield: a
+/// bat carries what lies on it, and bounces off it do not turn into many.
+bool drive_holds(const WorldState& w, int mover, double change) {
+    if (!stands(w, mover)) return false;
+    return std::fabs(change) <= 0.5 * w.physics.step * leaning(w.program(), mover, at(w.movers, mover));
 }
 
 struct Impact {
@@ -91,7 +99,7 @@ double bounce(Meeting& m, double normal) {
         MoverState& state = at(m.w.movers, m.c.mover);
         const double share = m.mass * m.surface.lever_normal * m.surface.lever_normal * m.surface.yielding;
         const double change = -(gained / (1 + share)) * m.mass * m.surface.lever_normal * m.surface.yielding;
-        if (stop_holds(state, change)) {
+        if (stop_holds(state, change) || drive_holds(m.w, m.c.mover, change)) {
             m.surface.yielding = 0;
         } else {
             gained /= 1 + share;
@@ -135,11 +143,11 @@ bool report(Meeting& m, const Surface& of, const Vec2& point, double time) {
 /// that, and what it closes with where it arrives anew, it loses.
 void charge(Budget& budget, const WorldState& w, const Meeting& m, const BallMemory& memory, double closing, double rubbed) {
     const Impact& impact = m.impact;
-    const bool follows = impact.collapsed && m.c.mover < 0 && memory.slide_tick >= w.tick - 1 && m.c.surface() == memory.slide;
+    const bool follows = impact.collapsed && stands(w, m.c.mover) && memory.slide_tick >= w.tick - 1 && m.c.surface() == memory.slide;
     const double excess = std::max(0.0, closing - impact.turned);
     budget.lost += rubbed + (follows ? excess * std::max(0.0, 2 * impact.approach - excess) : 0.0);
     budget.turns = budget.turns && follows && impact.turned > 0;
-    budget.open = budget.open || m.c.mover >= 0;
+    budget.open = budget.open || !stands(w, m.c.mover);
 }
 
 /// Changes velocities at one contact. True when the contact was closing.
@@ -157,7 +165,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced, Budget& budg
     const Surface of = surface_of(w, c);
     const MaterialRecord& material = at(w.program().materials, of.material);
     Impact impact = judge(w, work, c, material, surface, -normal, dot(lead, n), dot(relative, t));
-    if (impact.collapsed && c.mover < 0) {
+    if (impact.collapsed && stands(w, c.mover)) {
         const double bend = bend_of(w, ball, c, dot(relative, t));
         if (bend > 0) impact.turned = w.physics.step * (bend + std::max(0.0, -dot(n, w.physics.gravity)));
     }
@@ -267,7 +275,8 @@ void respond_to_ball(WorldState& w, std::size_t i, std::size_t j) {
     const double closing = -dot(n, a.velocity - b.velocity);
     if (closing <= 0) return;
     const double e0 = w.options.restitution ? *w.options.restitution : w.physics.ball_restitution;
-    const double e = e0 < 1 && closing <= w.physics.rest_speed ? 0.0 : e0;
+    const bool crowded = std::max(w.work[i].impacts, w.work[j].impacts) > impacts_of_a_crowd;
+    const double e = e0 < 1 && (crowded || closing <= slowest_pair_bounce(w, e0)) ? 0.0 : e0;
     const double gained = (1 + e) * closing;
     const bool a_yields = !w.work[i].frozen, b_yields = !w.work[j].frozen;
     if (a_yields && b_yields) {

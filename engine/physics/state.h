@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "engine/core/at.h"
 #include "engine/physics/mechanisms/mechanism.h"
 #include "engine/physics/persistent_state.h"
 #include "engine/physics/sweep_field.h"
@@ -31,6 +32,16 @@ struct Held {
     double spin_acceleration = 0; ///< rad/s^2
 };
 
+/// A contact of a pile: of a ball with one below it, or with a surface at rest.
+struct PileContact {
+    int ball = -1, below = -1;     ///< below -1: a surface
+    Vec2 normal{0, 0};             ///< unit, towards `ball`
+    SurfaceRef surface;
+    double slack = 0;              ///< m/s at which it may close: the gap that is left for the tick
+    double friction = 0;
+    double pressed = 0, rubbed = 0;  ///< impulses per mass so far, m/s: along the normal, and along the surface
+};
+
 /// A ball's place in the tick that is being run.
 struct BallWork {
     double time = 0;             ///< seconds into the tick that its position and velocity stand for
@@ -39,6 +50,9 @@ struct BallWork {
     bool frozen = false;         ///< its budget is spent: it stands still until the next tick
     double travelled = 0;        ///< metres, since the tick began
     Held held;                   ///< what surfaces do to it on its way: on parabolas only
+    bool coupled = false;        ///< its tick is run together with others'
+    bool piled = false;          ///< it touches other balls, and its contacts were settled together: its path is straight
+    Vec2 late_kick{0, 0};        ///< m/s: what of its acceleration, on what would be a parabola, it gets when the tick ends
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
 };
 
@@ -91,8 +105,10 @@ struct WorldScratch {
     std::vector<Contact> contacts;
     std::vector<Touch> touches;
     std::vector<int> coupled;
+    std::vector<double> ways;        ///< metres that each ball goes in this tick if nothing adds speed
     std::vector<BallPlan> plans;     ///< of the balls in `coupled`, by their index among all
     std::vector<Ball> balls_before;
+    std::vector<PileContact> pile;
     /// Of each ball, in the static field. It outlasts the tick, as a cache: what a sweep finds has the same bits without it (decision 16).
     /// (A ball's free_path is no such thing: whether the field is asked at all depends on it, and so does where a budget runs out.)
     std::vector<Neighbours> near;
@@ -110,7 +126,14 @@ struct WorldState : WorldSetup, PersistentState, WorldReport, WorldScratch {
     }
 };
 
+inline std::size_t to_index(int i) { return static_cast<std::size_t>(i); }
+
 inline constexpr int most_impacts = 256;  ///< of one ball in one tick
+
+/// Does this surface stand still in this tick: the static field (-1), or a mover that neither moves nor is driven?
+inline bool stands(const WorldState& w, int mover) {
+    return mover < 0 || (at(w.movers, mover).rate == 0 && at(w.movers, mover).acceleration == 0);
+}
 
 /// Runs one tick.
 void run_tick(WorldState& w);
@@ -120,6 +143,16 @@ void respond(WorldState& w, std::size_t i, const Contact& first);
 /// A ball that slid along a surface at rest when the last tick ended, and neither left it nor flies off, is in contact from the
 /// beginning of this one: it does not fall through the band of tolerance first.
 void keep_contact(WorldState& w, std::size_t i);
+/// Before a tick: wakes resting balls that one which does not rest touches.
+void wake_piles(WorldState& w);
+/// Once velocities are those of the tick: settles the contacts of balls that touch each other.
+void settle_piles(WorldState& w);
+/// After a tick: piles in which nothing moves fall asleep.
+void rest_piles(WorldState& w);
+/// Ball i does not rest any more, nor do those that rest on it.
+void wake(WorldState& w, std::size_t i);
+/// Closing speed, m/s, up to which two balls do not bounce.
+double slowest_pair_bounce(const WorldState& w, double restitution);
 /// Balls i and j meet.
 void respond_to_ball(WorldState& w, std::size_t i, std::size_t j);
 /// Moves ball i along its path by dt.

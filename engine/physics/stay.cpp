@@ -3,6 +3,7 @@
 
 #include "engine/core/at.h"
 #include "engine/physics/contact.h"
+#include "engine/program/pose.h"
 
 namespace pinfield {
 
@@ -29,8 +30,11 @@ Grip grip_of(const WorldState& w, const Contact& c) {
 
 /// How far the ball's centre is from the centre of curvature of the surface that it touches: infinity on what is straight or hollow.
 double turning_radius(const WorldState& w, const Ball& ball, const Contact& c) {
-    if (c.piece < 0 || c.mover >= 0) return infinity;
-    return nearest_on(at(w.prepared->fixed.pieces(), c.piece), ball.position).convex_radius + w.physics.ball_radius;
+    if (c.piece < 0) return infinity;
+    const double r = w.physics.ball_radius;
+    if (c.mover < 0) return nearest_on(at(w.prepared->fixed.pieces(), c.piece), ball.position).convex_radius + r;
+    const Vec2 seen = pose_of(at(w.program().movers, c.mover), at(w.movers, c.mover).q).place_from_world(ball.position);
+    return nearest_on(at(w.prepared->movers, c.mover).pieces()[to_index(c.piece)], seen).convex_radius + r;
 }
 
 /// Friction on a ball that is pressed onto a surface at rest with this acceleration, `along` being that of its centre without friction:
@@ -108,7 +112,7 @@ void rest_in_wedge(WorldState& w, std::size_t i) {
     for (std::size_t a = 0; a < w.contacts.size(); ++a)
         for (std::size_t b = a + 1; b < w.contacts.size(); ++b) {
             const Contact &first = w.contacts[a], &second = w.contacts[b];
-            if (first.mover >= 0 || second.mover >= 0) continue;
+            if (!stands(w, first.mover) || !stands(w, second.mover)) continue;
             const double wedge = cross(first.normal, second.normal);
             if (std::fabs(wedge) < least_wedge) continue;
             const double on_first = -cross(g, second.normal) / wedge, on_second = -cross(first.normal, g) / wedge;
@@ -127,14 +131,14 @@ void rest_in_wedge(WorldState& w, std::size_t i) {
 void constrain(WorldState& w, std::size_t i) {
     BallWork& work = w.work[i];
     work.held = {};
-    if (w.physics.integrator == Integrator::symplectic_euler) return;
+    if (w.physics.integrator == Integrator::symplectic_euler || work.piled) return;
     const Vec2& g = w.physics.gravity;
     work.acceleration = g;
     const Contact* only = nullptr;
     int holding = 0;
     Vec2 a = g;
     for (const Contact& c : w.contacts) {
-        if (!c.collapsed || c.mover >= 0) continue;
+        if (!c.collapsed || !stands(w, c.mover)) continue;
         const double into = dot(c.normal, a);
         if (into < 0) a -= into * c.normal;
         only = &c;
@@ -142,7 +146,7 @@ void constrain(WorldState& w, std::size_t i) {
     }
     if (holding == 0) return;
     for (const Contact& c : w.contacts)
-        if (c.collapsed && c.mover < 0 && dot(c.normal, a) < -rounding_of_gravity * length(g)) a = {0, 0};
+        if (c.collapsed && stands(w, c.mover) && dot(c.normal, a) < -rounding_of_gravity * length(g)) a = {0, 0};
     if (holding == 1) {
         const Vec2 n = only->normal, t = perpendicular(n);
         const double along = dot(w.balls[i].velocity, t), turning = along * along / turning_radius(w, w.balls[i], *only);
@@ -177,13 +181,17 @@ Vec2 restore_gap(WorldState& w, std::size_t i, const Budget& budget) {
 void keep_contact(WorldState& w, std::size_t i) {
     const BallMemory& memory = w.memories[i];
     Ball& ball = w.balls[i];
-    if (memory.slide_tick != w.tick - 1 || memory.slide.mover >= 0 || ball.state != BallState::rolling || !w.options.sweep) return;
+    const int mover = memory.slide.mover;
+    if (memory.slide_tick != w.tick - 1 || ball.state != BallState::rolling || !w.options.sweep || !stands(w, mover)) return;
     const bool euler = w.physics.integrator == Integrator::symplectic_euler;
     const Vec2 before = euler ? Vec2(ball.velocity - w.physics.step * w.physics.gravity) : ball.velocity;
+    const Pose pose = mover < 0 ? Pose{} : pose_of(at(w.program().movers, mover), at(w.movers, mover).q);
+    const SweptField& field = mover < 0 ? w.prepared->fixed : at(w.prepared->movers, mover);
     w.touches.clear();
-    w.prepared->fixed.touching(ball.position, w.physics.ball_radius, w.band.touching(), ball.layer, w.touches);
+    field.touching(pose.place_from_world(ball.position), w.physics.ball_radius, w.band.touching(), ball.layer, w.touches);
     for (const Touch& touch : w.touches) {
-        const Contact c{touch.normal, touch.gap, touch.concave_radius, -1, touch.solid, touch.leaf, touch.piece};
+        const Vec2 normal = mover < 0 ? touch.normal : pose.to_world(touch.normal);
+        const Contact c{normal, touch.gap, touch.concave_radius, mover, touch.solid, touch.leaf, touch.piece};
         const double weight = -dot(c.normal, w.physics.gravity);
         const double bend = bend_of(w, ball, c, dot(before, perpendicular(c.normal)));
         const bool flies_off = c.concave_radius == 0 && bend > weight;

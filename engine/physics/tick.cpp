@@ -45,7 +45,6 @@ void begin_tick(WorldState& w, std::size_t i) {
     filter_velocities(w, i, velocity);
     w.balls[i].velocity = velocity;
     w.work[i].acceleration = acceleration;
-    keep_contact(w, i);
 }
 
 double longest_way(const WorldState& w, std::size_t i) {
@@ -91,15 +90,34 @@ bool mover_near(const WorldState& w, std::size_t i, double way, bool moving_only
     return false;
 }
 
-bool ball_near(const WorldState& w, std::size_t i, double way) {
+/// Marks the balls whose ticks have to be run together: those that may meet each other, those near movers, and whoever these
+/// may be pushed against.
+void mark_coupled(WorldState& w) {
+    w.ways.clear();
+    for (std::size_t i = 0; i < w.balls.size(); ++i) w.ways.push_back(w.in_play(i) ? longest_way(w, i) : 0.0);
+    const std::vector<double>& ways = w.ways;
     const double touch = 2 * w.physics.ball_radius + 2 * w.band.tolerance;
-    for (std::size_t j = 0; j < w.balls.size(); ++j) {
-        if (j == i || !w.in_play(j)) continue;
-        const double reach = touch + way + longest_way(w, j);
+    const double longest = *std::max_element(ways.begin(), ways.end());
+    const auto runs = [&](std::size_t i) { return w.in_play(i) && !w.memories[i].embedded; };
+    const auto within = [&](std::size_t i, std::size_t j, double reach) {
         const Vec2 apart = w.balls[i].position - w.balls[j].position;
-        if (dot(apart, apart) <= reach * reach) return true;
-    }
-    return false;
+        return dot(apart, apart) <= reach * reach;
+    };
+    for (std::size_t i = 0; i < w.balls.size(); ++i)
+        w.work[i].coupled = runs(i) && mover_near(w, i, ways[i], w.balls[i].state == BallState::resting);
+    for (std::size_t i = 0; i < w.balls.size(); ++i)
+        if (runs(i) && w.balls[i].state == BallState::rolling)
+            for (std::size_t j = 0; j < w.balls.size(); ++j)
+                if (j != i && runs(j) && within(i, j, touch + ways[i] + ways[j])) w.work[i].coupled = w.work[j].coupled = true;
+    w.coupled.clear();
+    for (std::size_t i = 0; i < w.balls.size(); ++i)
+        if (w.work[i].coupled) w.coupled.push_back(static_cast<int>(i));
+    for (std::size_t k = 0; k < w.coupled.size(); ++k)
+        for (std::size_t j = 0; j < w.balls.size(); ++j) {
+            if (w.work[j].coupled || !runs(j) || !within(to_index(w.coupled[k]), j, touch + longest + ways[j])) continue;
+            w.work[j].coupled = true;
+            w.coupled.push_back(static_cast<int>(j));
+        }
 }
 
 /// A ball that did not change a bit in a whole tick, touching something, will not change in the next one either.
@@ -108,7 +126,7 @@ void rest_or_wake(WorldState& w, std::size_t i) {
     const Ball& before = w.balls_before[i];
     const bool still = ball.velocity.x() == 0 && ball.velocity.y() == 0 && ball.spin == 0 && ball.position == before.position &&
                        before.velocity.x() == 0 && before.velocity.y() == 0;
-    if (ball.state == BallState::rolling && still && w.memories[i].slide_tick == w.tick && w.memories[i].slide.mover < 0)
+    if (ball.state == BallState::rolling && still && !w.work[i].piled && w.memories[i].slide_tick == w.tick && stands(w, w.memories[i].slide.mover))
         ball.state = BallState::resting;
 }
 
@@ -163,7 +181,11 @@ bool try_uncoupled(WorldState& w, std::size_t i, double way) {
 /// The tick starts again for all balls, together.
 void couple_everybody(WorldState& w) {
     for (std::size_t i = 0; i < w.balls.size(); ++i)
-        if (w.work[i].time > 0 && !w.memories[i].embedded) { w.balls[i] = w.balls_before[i]; begin_tick(w, i); }
+        if (w.work[i].time > 0 && !w.memories[i].embedded) {
+            w.balls[i] = w.balls_before[i];
+            begin_tick(w, i);
+            keep_contact(w, i);
+        }
     std::erase_if(w.events, [](const Event& event) { return event.ball.value != 0; });
     w.paths.clear();
     w.coupled.clear();
@@ -173,21 +195,22 @@ void couple_everybody(WorldState& w) {
 
 /// Ticks of balls that surely meet no mover and no other ball; the others are put into w.coupled.
 void run_uncoupled(WorldState& w) {
-    w.coupled.clear();
     const bool pairs = w.options.balls_collide && w.balls.size() > 1;
+    if (pairs) mark_coupled(w);
+    w.coupled.clear();
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (!w.in_play(i)) continue;
         if (w.memories[i].embedded) { depenetrate(w, i); continue; }
         Ball& ball = w.balls[i];
         const double way = longest_way(w, i);
-        if (ball.state == BallState::resting && !pairs) continue;
-        if (!pairs && way < ball.free_path && w.options.sweep) {
+        const bool rests = ball.state == BallState::resting;
+        if (!pairs && !rests && way < ball.free_path && w.options.sweep) {
             advance_ball(w, i, w.physics.step);
             ball.free_path -= way;
             ++w.stats.free_steps;
-        } else if (mover_near(w, i, way, false) || (pairs && ball_near(w, i, way))) {
+        } else if (pairs ? w.work[i].coupled : mover_near(w, i, way, rests)) {
             w.coupled.push_back(static_cast<int>(i));
-        } else if (ball.state == BallState::rolling && !try_uncoupled(w, i, way)) {
+        } else if (!rests && !try_uncoupled(w, i, way)) {
             if (pairs) return couple_everybody(w);  // those that have run already may be in its way
             w.coupled.push_back(static_cast<int>(i));
         }
@@ -241,19 +264,27 @@ void run_tick(WorldState& w) {
     w.balls_before = w.balls;
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (w.balls[i].state == BallState::jammed) w.balls[i].state = BallState::rolling;  // it tries again
-        if (!w.in_play(i)) continue;
-        if (w.balls[i].state == BallState::resting && mover_near(w, i, 0, true)) w.balls[i].state = BallState::rolling;
-        begin_tick(w, i);
+        if (w.balls[i].state == BallState::resting && mover_near(w, i, 0, true)) wake(w, i);
     }
+    wake_piles(w);
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
+        if (w.balls_before[i].state == BallState::resting) w.balls_before[i].state = w.balls[i].state;
+        if (w.in_play(i)) begin_tick(w, i);
+    }
+    settle_piles(w);
+    for (std::size_t i = 0; i < w.balls.size(); ++i)
+        if (w.in_play(i) && !w.work[i].piled) keep_contact(w, i);
     run_uncoupled(w);
     advance_coupled(w);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (!w.in_play(i)) continue;
+        if (w.balls[i].state == BallState::rolling) w.balls[i].velocity += w.work[i].late_kick;
         filter_positions(w, i);
         if (!w.program().sensors.empty() && w.in_play(i)) check_drains(w, i);
         rest_or_wake(w, i);
         if (w.work[i].jammed && w.in_play(i)) w.balls[i].state = BallState::jammed;
     }
+    rest_piles(w);
     order_events(w.events);
     w.stats.sweeps = w.sweeps.sweeps;
     w.stats.evaluations = w.sweeps.evaluations;

@@ -13,6 +13,9 @@ MoverState flipper_at_rest(const parts::Flipper& flipper, double scale);
 /// within `end_angle` of the raised stop; otherwise the return spring. Zero when it leans on an end-stop.
 void drive_flipper(const parts::Flipper& flipper, MoverState& state, double step);
 
+/// Acceleration against the end-stop at which it stands; 0 where it does not lean on one.
+double flipper_leaning(const parts::Flipper& flipper, const MoverState& state);
+
 /// Rebounds with `stop_bounce`, or stays when the remaining train of rebounds is shorter than a tick.
 void flipper_hits_stop(const parts::Flipper& flipper, MoverState& state, double step);
 

@@ -37,6 +37,11 @@ bool drive_mover(const Program& program, int mover, MoverState& state, double st
     return false;
 }
 
+double leaning(const Program& program, int mover, const MoverState& state) {
+    const Part& part = part_of(program, mover);
+    return part.is<parts::Flipper>() ? flipper_leaning(part.as<parts::Flipper>(), state) : 0.0;
+}
+
 void switch_mover(MoverState& state, bool pressed) {
     if (pressed && !state.driven) state.drive_time = 0;
     state.driven = pressed;

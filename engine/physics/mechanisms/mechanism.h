@@ -16,6 +16,9 @@ Similarity world_from_resting_mover(const Program& program, int mover);
 /// True when a plunger was let go just now.
 bool drive_mover(const Program& program, int mover, MoverState& state, double step);
 
+/// How hard a mover that stands at an end-stop is driven against it: acceleration, >= 0.
+double leaning(const Program& program, int mover, const MoverState& state);
+
 /// Its input was pressed or released.
 void switch_mover(MoverState& state, bool pressed);
 
