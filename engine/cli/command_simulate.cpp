@@ -108,6 +108,7 @@ JsonObject json_of(const SimulationSummary& summary, const std::string& table) {
         json.add("audit", JsonObject()
                               .add("segments", summary.audit->segments)
                               .add("worst_depth", summary.audit->worst_depth)
+                              .add("worst_overlap", summary.audit->worst_overlap)
                               .add("crossings", summary.audit->crossings));
     return json;
 }
@@ -124,8 +125,8 @@ std::string text_of(const SimulationSummary& summary, const std::string& table, 
         if (const auto count = at(summary.events, kind)) text += fmt::format(" {} {}", name(static_cast<EventKind>(kind)), count);
     text += fmt::format("\n  state hash      {}\n", hex16(summary.state_hash));
     if (summary.audit)
-        text += fmt::format("  audit           {} segments, worst depth {:.3g} m, {} crossings\n", summary.audit->segments,
-                            summary.audit->worst_depth, summary.audit->crossings);
+        text += fmt::format("  audit           {} segments, worst depth {:.3g} m, of two balls {:.3g} m, {} crossings\n", summary.audit->segments,
+                            summary.audit->worst_depth, summary.audit->worst_overlap, summary.audit->crossings);
     return text;
 }
 

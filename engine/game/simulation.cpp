@@ -41,6 +41,7 @@ public:
                 ++summary_.escaped;
             }
         }
+        summary_.max_penetration = std::max(summary_.max_penetration, overlap_of_balls(world));
         q_.clear();
     }
 

@@ -31,7 +31,7 @@ struct SimulationSummary {
     double ball_steps_per_second = 0;
     int escaped = 0;                   ///< balls whose centre left the domain or sat in a solid deeper than their radius
     std::int64_t drained = 0;
-    double max_penetration = 0;        ///< metres, at the ends of ticks
+    double max_penetration = 0;        ///< metres, of balls into solids and into each other, at the ends of ticks
     double energy_first = 0, energy_last = 0;        ///< J, of all balls
     std::array<std::int64_t, event_kinds> events{};  ///< by EventKind
     std::uint64_t state_hash = 0;      ///< of the world

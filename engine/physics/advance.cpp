@@ -359,7 +359,7 @@ private:
         BallPlan& plan = w_.plans[i];
         plan.pair_time = infinity;
         plan.partner = -1;
-        if (!w_.options.balls_collide) return;
+        if (!w_.options.balls_collide || !w_.options.sweep) return;
         for (const int k : w_.coupled) {
             const std::size_t j = to_index(k);
             if (j == i || (!moves(i) && !moves(j))) continue;

@@ -52,10 +52,81 @@ bool crosses_boundary(const Field& field, const Vec2& a, const Vec2& b, LayerMas
     return found;
 }
 
+bool in_play(const Ball& ball) { return ball.state != BallState::drained && ball.state != BallState::quarantined; }
+
+/// Where a ball was during the tick.
+struct Track {
+    std::vector<PathSegment> path;  ///< in order of time; none: it stood where it is
+    Vec2 place{0, 0};
+    Box2 box;                       ///< around all of it
+
+    Vec2 at(double time) const {
+        const auto after = std::find_if(path.begin(), path.end(), [&](const PathSegment& s) { return s.start > time; });
+        if (after == path.begin()) return path.empty() ? place : path.front().position;
+        const PathSegment& segment = *std::prev(after);
+        return segment.at(std::min(time - segment.start, segment.duration));
+    }
+};
+
+Track track_of(const World& world, const Ball& ball) {
+    Track track{{}, ball.position, Box2::of(ball.position, ball.position)};
+    for (const PathSegment& segment : world.paths()) {
+        if (segment.ball != ball.id) continue;
+        track.path.push_back(segment);
+        const double strays = 0.125 * length(segment.acceleration) * segment.duration * segment.duration;  // a parabola off its chord
+        track.box = track.box.merged(Box2::of(segment.position, segment.at(segment.duration)).grown(strays));
+    }
+    return track;
+}
+
+/// Over the tick: exact where both move straight, and sampled between the ends of parabolas.
+double least_distance(const Track& a, const Track& b) {
+    std::vector<double> times;
+    for (const Track* track : {&a, &b})
+        for (const PathSegment& segment : track->path) {
+            times.push_back(segment.start);
+            const int samples = segment.acceleration == Vec2(0, 0) ? 1 : 16;
+            for (int k = 1; k <= samples; ++k) times.push_back(segment.start + segment.duration * k / samples);
+        }
+    if (times.empty()) return length(a.place - b.place);
+    std::sort(times.begin(), times.end());
+    double least = infinity;
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const Vec2 from = a.at(times[k]) - b.at(times[k]), to = k + 1 < times.size() ? Vec2(a.at(times[k + 1]) - b.at(times[k + 1])) : from;
+        const Vec2 way = to - from;
+        const double squared = dot(way, way), u = squared > 0 ? std::clamp(-dot(from, way) / squared, 0.0, 1.0) : 0.0;
+        least = std::min(least, length(from + u * way));
+    }
+    return least;
+}
+
 }  // namespace
+
+double overlap_of_balls(const World& world) {
+    double most = 0;
+    const double touch = 2 * world.program().physics.ball_radius;
+    const std::span<const Ball> balls = world.balls();
+    for (std::size_t i = 0; world.balls_collide() && i < balls.size(); ++i)
+        for (std::size_t j = i + 1; j < balls.size(); ++j)
+            if (in_play(balls[i]) && in_play(balls[j])) most = std::max(most, touch - length(balls[i].position - balls[j].position));
+    return most;
+}
 
 void Auditor::after_tick(const World& world) {
     for (const PathSegment& path : world.paths()) check(world, path);
+    if (world.balls_collide()) check_pairs(world);
+}
+
+void Auditor::check_pairs(const World& world) {
+    std::vector<Track> tracks;
+    for (const Ball& ball : world.balls())
+        if (in_play(ball)) tracks.push_back(track_of(world, ball));
+    const double r = world.program().physics.ball_radius;
+    for (std::size_t i = 0; i < tracks.size(); ++i)
+        for (std::size_t j = i + 1; j < tracks.size(); ++j) {
+            if (!tracks[i].box.grown(r).overlaps(tracks[j].box.grown(r))) continue;
+            report_.worst_overlap = std::max(report_.worst_overlap, 2 * r - least_distance(tracks[i], tracks[j]));
+        }
 }
 
 void Auditor::check(const World& world, const PathSegment& path) {

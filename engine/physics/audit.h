@@ -1,4 +1,4 @@
-// The independent check of the promise: dense samples of every path segment against the true distance, never the sweep.
+// The independent check of the promise: dense samples of every path segment against the true distance and other balls, never the sweep.
 #pragma once
 #include <cstdint>
 
@@ -9,8 +9,12 @@ namespace pinfield {
 struct AuditReport {
     std::int64_t segments = 0;
     double worst_depth = 0;       ///< metres by which a ball overlapped a solid, at any sample
+    double worst_overlap = 0;     ///< metres by which two balls overlapped, at any time
     std::int64_t crossings = 0;   ///< segments that ended on the other side of a solid, or had their centre inside one
 };
+
+/// Metres by which any two balls in play overlap now; 0 where they do not, or ignore each other.
+double overlap_of_balls(const World& world);
 
 /// Feed it after every tick of a world that records its paths. Samples are spaced by at most `spacing` of path (at least 8 a segment);
 /// movers are taken at their own place at each sample's time. Between two samples that are near a surface it also looks for a
@@ -23,6 +27,7 @@ public:
 
 private:
     void check(const World& world, const PathSegment& path);
+    void check_pairs(const World& world);
 
     double spacing_;
     AuditReport report_;

@@ -9,7 +9,7 @@
 
 namespace pinfield {
 
-enum class EventKind : unsigned char { hit, kick, ball_hit, drain, press, release, end_stop, launch, quarantine, jam };
+enum class EventKind : unsigned char { hit, kick, ball_hit, drain, press, release, end_stop, launch, quarantine, jam, held_back };
 std::string_view name(EventKind kind);
 
 struct Event {
@@ -17,7 +17,7 @@ struct Event {
     double time = 0;        ///< seconds since the start
     EventKind kind = EventKind::hit;
     BallId ball;            ///< none for events without a ball
-    NodeId node;            ///< what was hit: the part's scene node, or where there is none the winning leaf's; none for ball_hit, quarantine
+    NodeId node;            ///< what was hit: the part's scene node, or where there is none the winning leaf's; none for ball_hit, quarantine, held_back
     Vec2 position{0, 0};    ///< contact point, or the ball's centre
     Vec2 normal{0, 0};      ///< unit, from the surface to the ball
     /// m/s. hit, ball_hit: normal approach speed. kick: what the part adds along the normal. end_stop: of the part's farthest point as it
@@ -31,6 +31,6 @@ struct Event {
 };
 
 /// As many as EventKind has.
-inline constexpr int event_kinds = static_cast<int>(EventKind::jam) + 1;
+inline constexpr int event_kinds = static_cast<int>(EventKind::held_back) + 1;
 
 }  // namespace pinfield

@@ -24,6 +24,7 @@ struct BallMemory {
     std::int64_t slide_tick = -2; ///< when
     bool embedded = false;        ///< an edit put it into a solid, and it is being moved out
     bool waiting = false;         ///< to be put back as soon as no mover and no ball stands where it starts
+    bool held_back = false;       ///< by another ball, and that was told
     int quiet_ticks = 0;          ///< for how long it has hardly moved, in a pile
 };
 
@@ -53,7 +54,7 @@ template <class T> inline constexpr int member_count = 0;
 template <> inline constexpr int member_count<PersistentState> = 8;
 template <> inline constexpr int member_count<WorldOptions> = 6;
 template <> inline constexpr int member_count<Ball> = 10;
-template <> inline constexpr int member_count<BallMemory> = 5;
+template <> inline constexpr int member_count<BallMemory> = 6;
 template <> inline constexpr int member_count<SurfaceRef> = 3;
 template <> inline constexpr int member_count<MoverState> = 9;
 template <> inline constexpr int member_count<InputEdge> = 2;
@@ -72,9 +73,6 @@ void each_member(T& value, F&& f) {
     } else if constexpr (count == 4) {
         auto& [a, b, c, d] = value;
         all(a, b, c, d);
-    } else if constexpr (count == 5) {
-        auto& [a, b, c, d, e] = value;
-        all(a, b, c, d, e);
     } else if constexpr (count == 6) {
         auto& [a, b, c, d, e, g] = value;
         all(a, b, c, d, e, g);

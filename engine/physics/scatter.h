@@ -5,7 +5,7 @@
 namespace pinfield {
 
 /// Adds n balls of this speed in random directions at random places whose gap to everything solid, movers where they stand
-/// included, is at least 1 mm. They may overlap each other. Returns how many found a place.
+/// included, is at least 1 mm. Where there is no room for all of them they overlap each other. Returns how many found a place.
 int scatter_balls(World& world, int n, double speed, std::uint64_t seed);
 
 }  // namespace pinfield

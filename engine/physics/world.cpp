@@ -48,12 +48,21 @@ void check_embedded(WorldState& w, std::size_t i) {
 
 void place_ball(WorldState& w, std::size_t i, const Vec2& position, const Vec2& velocity) {
     Ball& ball = w.balls[i];
+    if (w.in_play(i)) wake(w, i);  // what rests on it
     ball.position = position;
     ball.velocity = velocity;
     ball.spin = ball.free_path = 0;
     ball.state = BallState::rolling;
     w.memories[i] = {};
     check_embedded(w, i);
+}
+
+/// Does another ball stand where this one starts?
+bool start_is_taken(const WorldState& w, std::size_t i) {
+    const double touch = 2 * w.physics.ball_radius + w.band.target();
+    for (std::size_t j = 0; w.options.balls_collide && j < w.balls.size(); ++j)
+        if (j != i && w.in_play(j) && length(w.balls[j].position - w.balls[i].start_position) < touch) return true;
+    return false;
 }
 
 std::size_t index_of(const WorldState& w, BallId id) {
@@ -121,13 +130,18 @@ PreparedProgram::PreparedProgram(ProgramPtr from)
 void try_put_back(WorldState& w, std::size_t i) {
     const Ball& ball = w.balls[i];
     const Gap gap = gap_at(w.program(), places(w), ball.start_position, ball.layer, 2 * w.physics.ball_radius);
-    w.memories[i].waiting = gap.mover >= 0 && gap.distance < w.physics.ball_radius + w.band.target();
+    const bool by_mover = gap.mover >= 0 && gap.distance < w.physics.ball_radius + w.band.target(), by_ball = start_is_taken(w, i);
+    if (by_ball && w.memories[i].waiting && !w.memories[i].held_back) {  // in a tick, where events are told
+        w.events.push_back({w.tick, w.start_time(), EventKind::held_back, ball.id, {}, ball.start_position, {0, 0}, 0});
+        w.memories[i].held_back = true;
+    }
+    w.memories[i].waiting = by_mover || by_ball;
     if (!w.memories[i].waiting) place_ball(w, i, ball.start_position, ball.start_velocity);
 }
 
 std::string_view name(EventKind kind) {
     constexpr std::string_view names[] = {"hit",     "kick",        "ball_hit", "drain",      "press",
-                                          "release", "end_stop", "launch",   "quarantine", "jam"};
+                                          "release", "end_stop", "launch",   "quarantine", "jam",   "held_back"};
     return at(names, kind);
 }
 
@@ -176,6 +190,11 @@ void World::add_spawned_balls() {
         if (!part.is<parts::Spawn>()) continue;
         add_ball(part.world_from_part.offset, start_velocity_of(part));
         state_->balls.back().spawn = static_cast<int>(k);
+        const std::size_t i = state_->balls.size() - 1;
+        if (!start_is_taken(*state_, i)) continue;
+        state_->balls[i].state = BallState::drained;
+        state_->memories[i] = {};
+        state_->memories[i].waiting = true;
     }
 }
 
@@ -219,6 +238,7 @@ const Program& World::program() const { return *state_->prepared->program; }
 const ProgramPtr& World::shared_program() const { return state_->prepared->program; }
 std::int64_t World::tick() const { return state_->tick; }
 double World::step_length() const { return state_->physics.step; }
+bool World::balls_collide() const { return state_->options.balls_collide; }
 double World::time() const { return state_->start_time(); }
 std::span<const Ball> World::balls() const { return state_->balls; }
 std::span<const MoverState> World::movers() const { return state_->movers; }

@@ -71,11 +71,12 @@ public:
     bool set_input(int input, double value);
     /// Adds a ball; it starts again here after a drain when put back.
     BallId add_ball(const Vec2& position, const Vec2& velocity, double spin = 0);
-    /// Adds one ball per spawn of the table.
+    /// Adds one ball per spawn of the table. One whose place is taken by another ball is held back like one that is put back.
     void add_spawned_balls();
-    /// Puts a drained ball back where it started; when a mover stands there, at the start of the first tick in which it does not.
+    /// Puts a drained ball back where it started; when a mover or another ball stands there, at the start of the first tick in which
+    /// none does. An event tells that a ball is held back by another.
     void put_back(BallId ball);
-    /// Moves a ball (the editor's throw).
+    /// Moves a ball (the editor's throw). Balls that overlap then move apart at bounded speed, without energy.
     void set_ball(BallId ball, const Vec2& position, const Vec2& velocity);
 
     /// Swaps in an edited program at this step boundary: balls keep rolling, movers keep their state, a ball that now sits in
@@ -87,6 +88,7 @@ public:
     std::int64_t tick() const;
     double step_length() const;  ///< seconds
     double time() const;         ///< tick * step
+    bool balls_collide() const;  ///< or ignore each other
     std::span<const Ball> balls() const;
     const Ball* find(BallId ball) const;
     std::span<const MoverState> movers() const;

@@ -92,8 +92,8 @@ TEST_CASE("the smallest change of any one value that persists changes the hash")
             INFO("value " << changes);
             if (done) CHECK(hashes.insert(hash_of(state)).second);
         }
-        // Six options, tick and next ball, five lists; of two of each: a ball's 14 numbers, its memory's 7, a mover's 12, an input, an edge's 2.
-        CHECK(changes - 1 == 6 + 3 * other + 2 + 5 + 2 * (14 + 7 + 9 + 1 + 2));
+        // Six options, tick and next ball, five lists; of two of each: a ball's 14 numbers, its memory's 8, a mover's 12, an input, an edge's 2.
+        CHECK(changes - 1 == 6 + 3 * other + 2 + 5 + 2 * (14 + 8 + 9 + 1 + 2));
     }
 }
 

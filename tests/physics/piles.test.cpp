@@ -105,3 +105,87 @@ TEST_CASE("balls that lie on each other for an hour do not sink into each other"
     for (const Pile& pile : piles())
         for (const Integrator integrator : {Integrator::symplectic_euler, Integrator::ballistic}) check_pile(pile, integrator, 60);
 }
+
+TEST_CASE("balls that were put into each other part at bounded speed, without energy, and the auditor and the referee tell it") {
+    for (const Integrator integrator : {Integrator::symplectic_euler, Integrator::ballistic})
+        for (const double apart : {0.0, 0.004, 0.02}) {
+            WorldOptions options;
+            options.integrator = integrator;
+            World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\nscene: []\n"), options);
+            world.add_ball({0.5, 0.5}, {0, 0});
+            const BallId thrown = world.add_ball({0.7, 0.5}, {0, 0});
+            world.set_ball(thrown, {0.5 + apart, 0.5}, {0, 0});
+            Game game(world);
+            SimulationOptions run;
+            run.seconds = 0.1;
+            run.audit = true;
+            const SimulationSummary told = simulate(game, run);
+            CHECK(told.max_penetration > 0.5 * (2 * r - apart) - 2.1e-3);
+            REQUIRE(told.audit);
+            CHECK(told.audit->worst_overlap > 0.5 * (2 * r - apart) - 2.1e-3);
+            for (int t = 0; t < 100; ++t) {
+                const Vec2 before[] = {world.balls()[0].position, world.balls()[1].position};
+                world.step();
+                for (int k = 0; k < 2; ++k) CHECK(length(at(world.balls(), k).position - before[k]) < 2.1e-3);
+            }
+            CHECK(overlap(world) <= 0);
+            CHECK(world.energy() == 0);
+        }
+}
+
+TEST_CASE("of two balls that start at one place one waits until the other has gone, and so does one that is put back onto another") {
+    const std::string spawns = "  - spawn: {at: [0.25, 0.5], velocity: [0, 1]}\n  - spawn: {at: [0.25, 0.505]}\n";
+    World world(program_of(sloped + spawns));
+    world.add_spawned_balls();
+    int told = 0;
+    for (int t = 0; t < 2000; ++t) {
+        world.step();
+        REQUIRE(overlap(world) < 1e-6);
+        for (const Event& event : world.events()) told += event.kind == EventKind::held_back;
+    }
+    CHECK(told == 1);
+    for (const Ball& ball : world.balls()) CHECK(ball.state != BallState::drained);
+    world.set_ball(world.balls()[0].id, {0.25, 0.5}, {0, 0});
+    world.put_back(world.balls()[1].id);
+    for (int t = 0; t < 2000; ++t) {
+        world.step();
+        REQUIRE(overlap(world) < 1e-6);
+    }
+}
+
+TEST_CASE("the auditor sees two balls that pass through each other within a tick") {
+    WorldOptions blind;
+    blind.sweep = false;
+    World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\nscene: []\n"), blind);
+    world.add_ball({0.4, 0.5}, {200, 0});
+    world.add_ball({0.6, 0.51}, {-200, 0});
+    world.record_paths(true);
+    Auditor auditor;
+    world.step();
+    CHECK(overlap_of_balls(world) == 0);
+    auditor.after_tick(world);
+    CHECK(auditor.report().worst_overlap == Approx(2 * r - 0.01));
+}
+
+TEST_CASE("a ball that is shot into a pile that sleeps wakes all of it, and a pile whose support is taken away falls") {
+    for (const Integrator integrator : {Integrator::symplectic_euler, Integrator::ballistic}) {
+        World world = filled(piles()[1], integrator);
+        for (int t = 0; t < 5000; ++t) world.step();
+        for (const Ball& ball : world.balls()) REQUIRE(ball.state == BallState::resting);
+        World shot = world;
+        shot.add_ball({0.25, 0.5}, {0, -3});
+        double worst = 0;
+        bool woken = false;
+        for (int t = 0; t < 3000; ++t) {
+            shot.step();
+            worst = std::max(worst, overlap(shot));
+            woken = woken || shot.balls()[0].state == BallState::rolling;
+        }
+        CHECK(woken);
+        CHECK(worst < 1e-6);
+        const double top = world.balls()[3].position.y();
+        world.set_ball(world.balls()[0].id, {0.4, 0.5}, {0, 0});
+        for (int t = 0; t < 2000; ++t) world.step();
+        CHECK(world.balls()[3].position.y() < top - r);
+    }
+}
