@@ -362,7 +362,7 @@ private:
         if (!w_.options.balls_collide || !w_.options.sweep) return;
         for (const int k : w_.coupled) {
             const std::size_t j = to_index(k);
-            if (j == i || (!moves(i) && !moves(j))) continue;
+            if (j == i || (!moves(i) && !moves(j)) || !share_layer(w_.balls[i], w_.balls[j])) continue;
             const double time = meeting(std::min(i, j), std::max(i, j));
             if (time < plan.pair_time) {
                 plan.pair_time = time;

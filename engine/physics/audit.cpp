@@ -58,6 +58,7 @@ bool in_play(const Ball& ball) { return ball.state != BallState::drained && ball
 struct Track {
     std::vector<PathSegment> path;  ///< in order of time; none: it stood where it is
     Vec2 place{0, 0};
+    LayerMask layers = ground_layer;
     Box2 box;                       ///< around all of it
 
     Vec2 at(double time) const {
@@ -69,7 +70,7 @@ struct Track {
 };
 
 Track track_of(const World& world, const Ball& ball) {
-    Track track{{}, ball.position, Box2::of(ball.position, ball.position)};
+    Track track{{}, ball.position, ball.layer, Box2::of(ball.position, ball.position)};
     for (const PathSegment& segment : world.paths()) {
         if (segment.ball != ball.id) continue;
         track.path.push_back(segment);
@@ -108,7 +109,7 @@ double overlap_of_balls(const World& world) {
     const std::span<const Ball> balls = world.balls();
     for (std::size_t i = 0; world.balls_collide() && i < balls.size(); ++i)
         for (std::size_t j = i + 1; j < balls.size(); ++j)
-            if (in_play(balls[i]) && in_play(balls[j])) most = std::max(most, touch - length(balls[i].position - balls[j].position));
+            if (in_play(balls[i]) && in_play(balls[j]) && share_layer(balls[i], balls[j])) most = std::max(most, touch - length(balls[i].position - balls[j].position));
     return most;
 }
 
@@ -124,6 +125,7 @@ void Auditor::check_pairs(const World& world) {
     const double r = world.program().physics.ball_radius;
     for (std::size_t i = 0; i < tracks.size(); ++i)
         for (std::size_t j = i + 1; j < tracks.size(); ++j) {
+            if ((tracks[i].layers & tracks[j].layers) == 0) continue;
             if (!tracks[i].box.grown(r).overlaps(tracks[j].box.grown(r))) continue;
             report_.worst_overlap = std::max(report_.worst_overlap, 2 * r - least_distance(tracks[i], tracks[j]));
         }

@@ -28,4 +28,7 @@ struct Ball {
     double free_path = 0;  ///< metres it may still travel before the next field query
 };
 
+/// Balls in different layers pass each other.
+inline bool share_layer(const Ball& a, const Ball& b) { return (a.layer & b.layer) != 0; }
+
 }  // namespace pinfield

@@ -31,6 +31,7 @@ double touching_distance(const WorldState& w) { return 2 * w.physics.ball_radius
 double slack_of(const WorldState& w, double gap) { return std::max(0.0, gap - w.band.target()) / w.physics.step; }
 
 bool near_enough(const WorldState& w, std::size_t i, std::size_t j, double distance) {
+    if (!share_layer(w.balls[i], w.balls[j])) return false;
     const Vec2 apart = w.balls[i].position - w.balls[j].position;
     return dot(apart, apart) <= distance * distance;
 }

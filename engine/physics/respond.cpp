@@ -182,8 +182,33 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced, Budget& budg
         scatter(w, ball, c, material, work.impacts);
     }
     if (impact.collapsed && impact.approach <= w.physics.rest_speed) return true;
+    c.told = true;
     budget.open = report(m, of, point, w.start_time() + work.time) || budget.open;
     return true;
+}
+
+/// Notes how fast the ball comes to each surface, before impulses change that.
+void note_approaches(WorldState& w, std::size_t i) {
+    const Ball& ball = w.balls[i];
+    for (Contact& c : w.contacts) {
+        const Vec2 point = ball.position - w.physics.ball_radius * c.normal;
+        const Vec2 relative = ball.velocity + lead_of(w, i) - surface_motion_of(w, c, point, {0, 0}).velocity;
+        c.approach = -dot(c.normal, relative);
+    }
+}
+
+/// A ball that meets several surfaces at one instant may be thrown off all of them by the first impulse. It hit the others as well.
+void tell_the_rest(WorldState& w, std::size_t i) {
+    const Ball& ball = w.balls[i];
+    for (Contact& c : w.contacts) {
+        if (c.told || c.approach <= w.physics.rest_speed || c.gap > w.band.touching()) continue;
+        const Surface of = surface_of(w, c);
+        const auto tells = [&](const Contact& other) { return other.told && surface_of(w, other).node == of.node; };
+        if (std::any_of(w.contacts.begin(), w.contacts.end(), tells)) continue;
+        c.told = true;
+        const Vec2 point = ball.position - w.physics.ball_radius * c.normal;
+        w.events.push_back({w.tick, w.start_time() + w.work[i].time, EventKind::hit, ball.id, of.node, point, c.normal, c.approach, of.part, of.material});
+    }
 }
 
 /// Everything within the skin, in order of ids, `first` (which the sweep reported) included.
@@ -251,6 +276,7 @@ SurfaceMotion surface_motion_of(const WorldState& w, const Contact& c, const Vec
 void respond(WorldState& w, std::size_t i, const Contact& first) {
     gather(w, i, first);
     Budget budget = budget_of(w, i);
+    note_approaches(w, i);
     for (Contact& c : w.contacts)
         if (c.surface() == first.surface()) resolve(w, i, c, true, budget);
     bool closing = true;
@@ -261,6 +287,7 @@ void respond(WorldState& w, std::size_t i, const Contact& first) {
         // Surfaces that do not push a ball into each other are done in one round. What still closes after three is a wedge.
         if (closing && round >= 3 && settle_in_wedge(w, i)) break;
     }
+    tell_the_rest(w, i);
     rest_in_wedge(w, i);
     balance(w, i, budget, restore_gap(w, i, budget));
     constrain(w, i);

@@ -23,7 +23,7 @@ int scatter_balls(World& world, int n, double speed, std::uint64_t seed) {
     for (int tries = 0; placed < n && tries < most_tries * n; ++tries) {
         const Vec2 p{rng.in(0, program.size.x()), rng.in(0, program.size.y())};  // braces: the order of evaluation is the written one
         if (gap_at(world, p).distance < r + spare) continue;
-        if (std::any_of(program.sensors.begin(), program.sensors.end(), [&](const Sensor& s) { return drains(program, s, p); })) continue;
+        if (std::any_of(program.sensors.begin(), program.sensors.end(), [&](const Sensor& s) { return drains(program, s, p, ground_layer); })) continue;
         if (world.balls_collide() && overlaps(p) && ++refused < most_refused * n) continue;
         const SineCosine direction = sine_cosine(rng.in(0, two_pi));
         world.add_ball(p, speed * Vec2(direction.cosine, direction.sine));

@@ -20,6 +20,8 @@ struct Contact {
     int mover = -1;       ///< -1: the static field
     int solid = -1, leaf = -1, piece = -1;
     bool collapsed = false;  ///< it no longer bounces: the ball stays on it
+    double approach = 0;     ///< m/s along the normal, of the velocity of which energy is made, before any impulse
+    bool told = false;       ///< by an event
 
     SurfaceRef surface() const { return {mover, solid, piece}; }
 };

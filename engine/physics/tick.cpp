@@ -144,7 +144,7 @@ void check_drains(WorldState& w, std::size_t i) {
         const int samples = pace > 0 ? std::clamp(static_cast<int>(length(way) / pace) + 1, 1, 64) : 1;
         for (int k = 1; k <= samples; ++k) {
             const Vec2 p = k == samples ? ball.position : Vec2(from + (static_cast<double>(k) / samples) * way);
-            if (!drains(w.program(), sensor, p)) continue;
+            if (!drains(w.program(), sensor, p, ball.layer)) continue;
             ball.state = BallState::drained;
             w.events.push_back({w.tick, w.start_time() + w.physics.step, EventKind::drain, ball.id,
                                 at(w.program().parts, sensor.part).origin, p, {0, 0}, length(ball.velocity), sensor.part});

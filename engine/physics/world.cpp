@@ -61,7 +61,7 @@ void place_ball(WorldState& w, std::size_t i, const Vec2& position, const Vec2& 
 bool start_is_taken(const WorldState& w, std::size_t i) {
     const double touch = 2 * w.physics.ball_radius + w.band.target();
     for (std::size_t j = 0; w.options.balls_collide && j < w.balls.size(); ++j)
-        if (j != i && w.in_play(j) && length(w.balls[j].position - w.balls[i].start_position) < touch) return true;
+        if (j != i && w.in_play(j) && share_layer(w.balls[i], w.balls[j]) && length(w.balls[j].position - w.balls[i].start_position) < touch) return true;
     return false;
 }
 
@@ -128,7 +128,8 @@ PreparedProgram::PreparedProgram(ProgramPtr from)
     : program(std::move(from)), fixed(program->fixed), movers(swept_movers(*program)) {}
 
 void try_put_back(WorldState& w, std::size_t i) {
-    const Ball& ball = w.balls[i];
+    Ball& ball = w.balls[i];
+    if (ball.spawn >= 0) ball.layer = at(w.program().parts, ball.spawn).layers;
     const Gap gap = gap_at(w.program(), places(w), ball.start_position, ball.layer, 2 * w.physics.ball_radius);
     const bool by_mover = gap.mover >= 0 && gap.distance < w.physics.ball_radius + w.band.target(), by_ball = start_is_taken(w, i);
     if (by_ball && w.memories[i].waiting && !w.memories[i].held_back) {  // in a tick, where events are told
@@ -189,8 +190,10 @@ void World::add_spawned_balls() {
         const Part& part = program().parts[k];
         if (!part.is<parts::Spawn>()) continue;
         add_ball(part.world_from_part.offset, start_velocity_of(part));
-        state_->balls.back().spawn = static_cast<int>(k);
         const std::size_t i = state_->balls.size() - 1;
+        state_->balls[i].spawn = static_cast<int>(k);
+        state_->balls[i].layer = part.layers;
+        check_embedded(*state_, i);
         if (!start_is_taken(*state_, i)) continue;
         state_->balls[i].state = BallState::drained;
         state_->memories[i] = {};

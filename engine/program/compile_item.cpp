@@ -103,6 +103,7 @@ Part compile_part(CompileContext& context, const Item& item) {
     const auto known = context.paths.find(item.node);
     part.name = known != context.paths.end() ? known->second : context.scene.path(item.node);
     part.world_from_part = world_from_local(context.scene, item.node);
+    part.layers = layers_of(context, item.node);
     std::vector<Value> values;
     for (int i = 0; i < node.type->own_fields; ++i) {
         const FieldSlot& slot = at(node.fields, i);

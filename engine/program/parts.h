@@ -1,6 +1,7 @@
 // Plain compiled records of parts, materials and settings, for physics. A reflex loads the struct of its own part (engine/scene/parts/)
 // from a record, so that nothing is declared twice; this header names none, so that touching one part rebuilds only what asks for it.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -19,6 +20,7 @@ struct Part {
     std::string name;              ///< the author's id, or its path
     Similarity world_from_part;
     std::vector<double> params;    ///< packed
+    std::uint32_t layers = 1;      ///< a LayerMask: where a drain drains, and where the ball of a spawn starts
     std::vector<int> inputs;       ///< indices into Program::inputs
     int solid = -1;                ///< index into Program::fixed.solids, or -1
     int mover = -1;                ///< index into Program::movers, or -1

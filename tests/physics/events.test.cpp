@@ -92,3 +92,37 @@ TEST_CASE("a change of the program leaves no event behind whose parts are those 
     world.set_program(program_of(room(1, 1, "", "", "")));
     CHECK(world.events().empty());
 }
+
+TEST_CASE("a ball that meets the seam of two targets hits both") {
+    World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\nscene:\n  - box: {id: a, size: [40mm, 10mm], at: [0.48, 0.2]}\n"
+                           "  - box: {id: b, size: [40mm, 10mm], at: [0.52, 0.2]}\n"));
+    world.add_ball({0.5, 0.3}, {0, -1});
+    std::vector<Event> hits;
+    for (int t = 0; t < 150 && hits.empty(); ++t) {
+        world.step();
+        for (const Event& event : world.events())
+            if (event.kind == EventKind::hit) hits.push_back(event);
+    }
+    REQUIRE(hits.size() == 2);
+    CHECK(hits[0].node != hits[1].node);
+    CHECK(hits[0].speed == Approx(hits[1].speed));
+}
+
+TEST_CASE("a drain and a spawn of another layer leave the ground's balls alone") {
+    World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\nscene:\n  - drain: {id: up, layer: [upstairs], at: [0.5, 0.5], size: [0.1, "
+                           "0.1]}\n  - spawn: {at: [0.5, 0.8], velocity: [0, -1]}\n  - spawn: {layer: [upstairs], at: [0.5, 0.2], velocity: [0, 1]}\n"));
+    world.add_spawned_balls();
+    int meetings = 0;
+    for (int t = 0; t < 500; ++t) {
+        world.step();
+        for (const Event& event : world.events()) meetings += event.kind == EventKind::ball_hit;
+    }
+    CHECK(meetings == 0);
+    CHECK(world.balls()[0].state == BallState::rolling);
+    CHECK(world.balls()[1].state == BallState::drained);
+    const BallId upstairs = world.balls()[1].id;
+    world.put_back(upstairs);
+    CHECK(world.find(upstairs)->layer != ground_layer);
+    for (int t = 0; t < 500; ++t) world.step();
+    CHECK(world.find(upstairs)->state == BallState::drained);
+}

@@ -67,9 +67,9 @@ double kick_of(const Part& part, double speed) {
     return speed >= bumper.threshold ? bumper.kick : 0.0;
 }
 
-bool drains(const Program& program, const Sensor& sensor, const Vec2& centre) {
+bool drains(const Program& program, const Sensor& sensor, const Vec2& centre, LayerMask layers) {
     if (!at(program.parts, sensor.part).is<parts::Drain>()) return false;
-    return nearest(sensor.field, centre, ~LayerMask{0}).distance < 0;
+    return nearest(sensor.field, centre, layers).distance < 0;
 }
 
 }  // namespace pinfield

@@ -31,7 +31,7 @@ double mover_reach(const Program& program, int mover, const MoverState& state);
 /// Speed added to a ball that hits this part with normal speed `speed`; 0 for parts that do not kick.
 double kick_of(const Part& part, double speed);
 
-/// Is the centre of a ball in the sensor of a drain?
-bool drains(const Program& program, const Sensor& sensor, const Vec2& centre);
+/// Is the centre of a ball in these layers in the sensor of a drain?
+bool drains(const Program& program, const Sensor& sensor, const Vec2& centre, LayerMask layers);
 
 }  // namespace pinfield
