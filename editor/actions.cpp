@@ -82,6 +82,7 @@ const std::vector<Action>& all_actions() {
         {"view.source", "Source", "View", "F4", "Show the table's text beside it, or hide it."},
         {"view.changes", "Changes in the source", "View", "", "Mark the lines of the source that differ from the saved file."},
 
+        {"view.panels", "Table alone", "View", "F11", "Hide all panels, or show them again."},
         {"view.history", "History", "View", "F9", "Show or hide the steps that were made, below the inspector; a click goes to one."},
         {"view.palette", "Palette", "View", "F8", "Show or hide what can be added, below the tree."},
 

@@ -234,6 +234,7 @@ void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> 
     const double pixel = ui_.theme.scale;
     for (const Sensor& sensor : program->sensors) {
         const NodeId node = at(program->parts, sensor.part).origin;
+        if (plays(state_) && ui_.hovered != node) continue;  // in play nothing is seen of it
         outline_painter_.draw(program, places, node, {palette::teal.rgb(), 0.45, 1.2 * pixel, 0.04, 0.10}, canvas);
     }
     if (ui_.hovered && !state_.selection.contains(ui_.hovered) && !ui_.drag.active())

@@ -202,6 +202,7 @@ constexpr Handler handlers[] = {
     {"view.all", always, [](AppState& s) { s.view.frame({{0, 0}, s.session.program().size}); }},
     {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
     {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
+    {"view.panels", always, [](AppState& s) { s.show_panels = !s.show_panels; }},
     {"view.history", always, [](AppState& s) { s.show_history = !s.show_history; }},
     {"view.palette", always, [](AppState& s) { s.show_palette = !s.show_palette; }},
     {"view.changes", always, [](AppState& s) { s.show_changes = !s.show_changes; }},

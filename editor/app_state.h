@@ -87,6 +87,7 @@ struct AppState {
     bool show_changes = true;   ///< lines that differ from the saved file are marked there
     bool type_source = false;   ///< the source panel is to take the keyboard
     bool quit = false;
+    bool show_panels = true;    ///< false: the table alone
     bool show_palette = true;
     bool show_history = false;
     bool show_help = false;

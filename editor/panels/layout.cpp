@@ -104,6 +104,19 @@ void leave_source(AppState& state, Ui& ui) {
 
 }  // namespace
 
+namespace {
+
+void dialogs(AppState& state, Ui& ui) {
+    path_dialog(state, ui);
+    starter_dialog(state, ui);
+    prompt_dialog(state, ui);
+    recovery_dialog(state, ui);
+    shortcut_sheet(state, ui);
+    command_palette(state, ui);
+}
+
+}  // namespace
+
 void draw_panels(AppState& state, Ui& ui) {
     const Theme& theme = ui.theme;
     // New problems open their panel once; closing it again is the user's. Half a word typed in the source does not: it stands there.
@@ -113,6 +126,11 @@ void draw_panels(AppState& state, Ui& ui) {
     ui.problems_seen = problems;
 
     const ImVec2 window = ImGui::GetIO().DisplaySize;
+    if (!state.show_panels) {
+        viewport_panel(state, ui, {0, 0}, window);
+        leave_source(state, ui);
+        return dialogs(state, ui);
+    }
     const float top = menu_bar(state, ui);
     const float status = theme.px(28), grip = std::max(theme.px(3), 2.0f);
     const Columns columns = columns_in(window.x - 3 * grip, state.show_source, ui);
@@ -140,12 +158,7 @@ void draw_panels(AppState& state, Ui& ui) {
     status_bar(state, ui, {0, window.y - status}, {window.x, status});
 
     carry_from_palette(state, ui);
-    path_dialog(state, ui);
-    starter_dialog(state, ui);
-    prompt_dialog(state, ui);
-    recovery_dialog(state, ui);
-    shortcut_sheet(state, ui);
-    command_palette(state, ui);
+    dialogs(state, ui);
 }
 
 }  // namespace pinfield::editor

@@ -6,6 +6,7 @@
 #include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
 #include "editor/pick.h"
+#include "editor/play_hint.h"
 #include "editor/widgets/widgets.h"
 #include "engine/core/at.h"
 
@@ -43,6 +44,7 @@ void draw_marks(const AppState& state, const Ui& ui, ImDrawList& list) {
         const ImVec2 c = im(state.view.pixel_from_world(part.world_from_part.offset));
         const auto r = static_cast<float>(program.physics.ball_radius * state.view.pixels_per_metre);
         const bool chosen = state.selection.contains(part.origin) || part.origin == ui.hovered;
+        if (plays(state) && !chosen) continue;  // in play nothing is seen of it
         const ImU32 color = ink(chosen ? palette::accent : palette::teal.faded(0.75f));
         constexpr int dashes = 12;
         for (int i = 0; i < dashes; ++i) {
@@ -66,6 +68,20 @@ void name_tag(const AppState& state, const Theme& theme, ImDrawList& list, NodeI
     list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y},
                        ink(palette::bar.faded(0.88f)), theme.px(4));
     list.AddText(place, ink(color), text.c_str());
+}
+
+/// To the right of the ball, which mostly lies at that edge of the table; above it where there is no room.
+void draw_play_hint(const AppState& state, const Theme& theme, ImDrawList& list) {
+    const std::optional<PlayHint> hint = play_hint(state);
+    if (!hint) return;
+    const ImVec2 ball = im(state.view.pixel_from_world(hint->at)), size = ImGui::CalcTextSize(hint->text.c_str());
+    const auto r = static_cast<float>(state.session.program().physics.ball_radius * state.view.pixels_per_metre);
+    const ImVec2 pad{theme.px(8), theme.px(4)};
+    const float gap = r + theme.px(20), right = static_cast<float>(state.view.origin.x() + state.view.size.x());
+    ImVec2 place{std::round(ball.x + gap), std::round(ball.y - 0.5f * size.y)};
+    if (place.x + size.x + pad.x > right) place = {std::round(right - size.x - 2 * pad.x), std::round(ball.y - gap - size.y)};
+    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y}, ink(palette::bar.faded(0.88f)), theme.px(4));
+    list.AddText(place, ink(palette::amber), hint->text.c_str());
 }
 
 void draw_marquee(const AppState& state, const Ui& ui, ImDrawList& list) {
@@ -136,6 +152,7 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     draw_handles(state, ui, list);
     draw_transform(state, ui, list);
     draw_guides(state, ui, list);
+    draw_play_hint(state, theme, list);
     if (ui.marquee) draw_marquee(state, ui, list);
     scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
     list.PopClipRect();
