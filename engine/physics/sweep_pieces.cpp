@@ -20,7 +20,7 @@ SweepPiece prepared(const BoundaryPiece& boundary) {
         p.length = length(d);
         p.along = p.length > 0 ? Vec2(d / p.length) : Vec2(1, 0);
         p.normal = -perpendicular(p.along);
-        p.middle = 0.5 * (p.a + p.b);
+        p.centre = 0.5 * (p.a + p.b);
     }
     return p;
 }
@@ -146,7 +146,7 @@ PieceHit sweep_arc(const SweepPiece& p, const Motion& motion, double duration, d
 
 /// The ball against the line through a side, wherever along it.
 PieceHit sweep_line(const SweepPiece& p, const Motion& motion, double duration, double radius, const ContactBand& band) {
-    const double height = dot(p.normal, motion.position - p.middle), gap = height - radius;
+    const double height = dot(p.normal, motion.position - p.centre), gap = height - radius;
     if (gap < -0.5 * radius) return {};
     const double rate = dot(p.normal, motion.velocity), curvature = dot(p.normal, motion.acceleration);
     double t = infinity;
@@ -207,7 +207,7 @@ Foot nearest_on(const SweepPiece& p, const Vec2& point) {
         const Vec2 from_a = point - p.a;
         const double along = dot(p.along, from_a);
         if (along >= 0 && along <= p.length) {
-            const double height = dot(p.normal, point - p.middle);
+            const double height = dot(p.normal, point - p.centre);
             return {std::abs(height), height < 0 ? Vec2(-p.normal) : p.normal, 0, infinity, height >= 0};
         }
     } else {

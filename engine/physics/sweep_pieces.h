@@ -9,10 +9,10 @@
 
 namespace pinfield {
 
-/// A boundary piece with what every sweep needs of it worked out.
+/// A boundary piece with what every sweep needs of it worked out. The centre of a segment is its middle: heights count from there, so that
+/// a mirrored one has the same bits.
 struct SweepPiece : sdf::Piece {
     Vec2 along{1, 0}, normal{0, 1};  ///< segments: unit, from a to b, and out of the solid
-    Vec2 middle{0, 0};               ///< of segments: heights count from there, so that a mirrored one has the same bits
     double length = 0;               ///< metres; segments
     bool corner_a = true, corner_b = true;  ///< a ball can touch that end alone: a convex corner, or a loose end
     int solid = 0, leaf = 0;

@@ -34,7 +34,6 @@ void filter_positions(WorldState& w, std::size_t i) {
 
 /// The velocity stage of both integrators; leaves the acceleration of the path in the ball's work.
 void begin_tick(WorldState& w, std::size_t i) {
-    w.work[i] = {};
     Vec2 acceleration = w.physics.gravity;
     filter_accelerations(w, i, acceleration);
     Vec2 velocity = w.balls[i].velocity;
@@ -183,6 +182,7 @@ void couple_everybody(WorldState& w) {
     for (std::size_t i = 0; i < w.balls.size(); ++i)
         if (w.work[i].time > 0 && !w.memories[i].embedded) {
             w.balls[i] = w.balls_before[i];
+            w.work[i] = {};
             begin_tick(w, i);
             keep_contact(w, i);
         }
