@@ -273,7 +273,7 @@ void run_tick(WorldState& w) {
     }
     settle_piles(w);
     for (std::size_t i = 0; i < w.balls.size(); ++i)
-        if (w.in_play(i) && !w.work[i].piled) keep_contact(w, i);
+        if (w.memories[i].slide_tick == w.tick - 1 && w.in_play(i) && !w.work[i].piled) keep_contact(w, i);
     run_uncoupled(w);
     advance_coupled(w);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
