@@ -49,8 +49,8 @@ inline auto members(const Sensor& sensor) {
     return std::tie(field, part);
 }
 inline auto members(const Part& part) {
-    const auto& [type, origin, name, world_from_part, params, inputs, solid, mover, sensor] = part;
-    return std::tie(type, origin, name, world_from_part, params, inputs, solid, mover, sensor);
+    const auto& [type, origin, name, world_from_part, params, layers, inputs, solid, mover, sensor] = part;
+    return std::tie(type, origin, name, world_from_part, params, layers, inputs, solid, mover, sensor);
 }
 inline auto members(const MaterialRecord& material) {
     const auto& [name, restitution, falloff, tangential, friction, scatter_degrees, color] = material;
