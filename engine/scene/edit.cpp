@@ -213,7 +213,6 @@ Reason why_invalid(const Scene& scene, const SetField& edit) {
     if (edit.field < 0 || edit.field >= static_cast<int>(node->fields.size())) return "the node has no such field";
     const FieldType& field = at(node->type->fields, edit.field);
     if (auto why = why_invalid(field, edit.value)) return fmt::format("{} {}", field.key, *why);
-    if (field.meta.required && !edit.is_explicit) return fmt::format("{} needs {}", node->type->key(), field.key);
     if (is_id_field(field)) {
         const auto& id = std::get<std::string>(edit.value);
         if (!id.empty() && is_id_taken(scene, id, edit.node)) return taken_id(id);
