@@ -137,6 +137,9 @@ private:
         }
     }
 
+    /// No table reads without what its nodes require.
+    static bool is_said(const Node& node, std::size_t field) { return node.fields[field].is_explicit || node.type->fields[field].meta.required; }
+
     std::string value(const FieldType& field, const Value& v) {
         const std::string text = write_value(field, v, field.meta.unit == Unit::metre ? like_ : "");
         const bool plain_word = !text.empty() && text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string::npos;
@@ -157,7 +160,7 @@ private:
 
     void fields(std::string& out, const Node& node, int column) {
         for (std::size_t i = 0; i < node.fields.size(); ++i) {
-            if (!node.fields[i].is_explicit) continue;
+            if (!is_said(node, i)) continue;
             above(out, column);
             const FieldType& field = node.type->fields[i];
             out += std::string(static_cast<std::size_t>(column), ' ') +
@@ -171,7 +174,7 @@ private:
         std::string_view comma;
         const auto entry = [&](const std::string& text) { out += fmt::format("{}{}", std::exchange(comma, ", "), text); };
         for (std::size_t i = 0; i < node.fields.size(); ++i)
-            if (node.fields[i].is_explicit)
+            if (is_said(node, i))
                 entry(fmt::format("{}: {}", node.type->fields[i].key, shared(node.type->fields[i], node.fields[i].value)));
         if (!node.children.empty()) {
             std::string list;
