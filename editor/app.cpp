@@ -179,8 +179,7 @@ int App::due_ticks(double passed) {
 }
 
 void App::take_key(const WindowEvent& event) {
-    const bool typing = ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node || ui_.source.focused || state_.type_source;
-    keyboard_.take(state_, {key_name(event.code), event.down, event.repeat}, typing, [this] { return cancel_drags(); });
+    keyboard_.take(state_, {key_name(event.code), event.down, event.repeat}, is_typing(state_, ui_), [this] { return cancel_drags(); });
 }
 
 bool App::cancel_drags() {

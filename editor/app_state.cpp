@@ -26,6 +26,13 @@ std::string name_of(const std::string& path) { return path.substr(path.find_last
 
 std::string name_of(const Document& document) { return document.path().empty() ? "the new table" : name_of(document.path()); }
 
+void tell_of_moved_balls(AppState& state) {
+    const std::vector<NodeId>& left = state.session.left();
+    if (left.empty()) return;
+    const std::string what = state.document.scene().path(left.front());
+    say(state, left.size() == 1 ? fmt::format("Moved a ball out of {}", what) : fmt::format("Moved {} balls out of {}", left.size(), what));
+}
+
 void replace_document(AppState& state, Document document) {
     Session session(document);
     session.play(state.session.playing());
@@ -250,17 +257,6 @@ AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
     document.take_changes();
     run(*this, "view.all");
 }
-
-namespace {
-
-void tell_of_moved_balls(AppState& state) {
-    const std::vector<NodeId>& left = state.session.left();
-    if (left.empty()) return;
-    const std::string what = state.document.scene().path(left.front());
-    say(state, left.size() == 1 ? fmt::format("Moved a ball out of {}", what) : fmt::format("Moved {} balls out of {}", left.size(), what));
-}
-
-}  // namespace
 
 bool asks(const AppState& state) {
     return state.prompt || state.recovery || has_dialog(state) || state.choosing || state.show_help || state.show_command_palette;

@@ -28,7 +28,7 @@ std::optional<PlayHint> play_hint(const AppState& state) {
     const World& world = state.session.world();
     const double r = program.physics.ball_radius;
     for (const Ball& ball : world.balls()) {
-        if (ball.state == BallState::drained || ball.state == BallState::quarantined || length(ball.velocity) > still) continue;
+        if (!is_on_table(ball) || length(ball.velocity) > still) continue;
         const Gap gap = gap_at(world, ball.position, ball.layer);
         if (gap.mover < 0 || gap.distance > 1.1 * r || !at(program.movers, gap.mover).slides) continue;
         const std::string key = key_of(state, at(program.parts, at(program.movers, gap.mover).part));

@@ -45,7 +45,7 @@ void RecentFiles::add(const std::string& path) const {
     std::string text;
     for (const std::string& each : known) text += each + "\n";
     fs::create_directories(fs::path(file_).parent_path(), unknown);
-    if (const auto written = write_file(file_, text); !written) return;
+    static_cast<void>(write_file(file_, text));
 }
 
 }  // namespace pinfield::editor

@@ -73,26 +73,35 @@ void middle_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float 
     problems_panel(state, ui, {position.x, y + grip}, {size.x, bottom});
 }
 
+using Panel = void (*)(AppState&, Ui&, ImVec2, ImVec2);
+
+/// A panel that may stand under another.
+struct LowerPanel {
+    Panel draw;
+    const char* grip;
+    float& design_height;
+    float least;  ///< design pixels
+    bool shown;
+};
+
+void column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip, Panel upper, const LowerPanel& lower) {
+    const Theme& theme = ui.theme;
+    const float most = 0.6f * size.y / theme.scale, height = lower.shown ? theme.px(std::min(lower.design_height, most)) : 0;
+    const float rest = size.y - height - (height > 0 ? grip : 0);
+    upper(state, ui, position, {size.x, rest});
+    if (height <= 0) return;
+    splitter(lower.grip, {position.x, position.y + rest}, {size.x, grip}, false, -1, theme.scale, lower.design_height, lower.least, most);
+    lower.draw(state, ui, {position.x, position.y + rest + grip}, {size.x, height});
+}
+
 /// The tree, and under it what can be added.
 void left_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
-    const Theme& theme = ui.theme;
-    const float most = 0.6f * size.y / theme.scale, palette = state.show_palette ? theme.px(std::min(ui.palette_height, most)) : 0;
-    const float tree = size.y - palette - (palette > 0 ? grip : 0);
-    hierarchy_panel(state, ui, position, {size.x, tree});
-    if (palette <= 0) return;
-    splitter("##split_palette", {position.x, position.y + tree}, {size.x, grip}, false, -1, theme.scale, ui.palette_height, 120, most);
-    palette_panel(state, ui, {position.x, position.y + tree + grip}, {size.x, palette});
+    column(state, ui, position, size, grip, hierarchy_panel, {palette_panel, "##split_palette", ui.palette_height, 120, state.show_palette});
 }
 
 /// What is selected, and under it what was done.
 void right_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
-    const Theme& theme = ui.theme;
-    const float most = 0.6f * size.y / theme.scale, history = state.show_history ? theme.px(std::min(ui.history_height, most)) : 0;
-    const float inspector = size.y - history - (history > 0 ? grip : 0);
-    inspector_panel(state, ui, position, {size.x, inspector});
-    if (history <= 0) return;
-    splitter("##split_history", {position.x, position.y + inspector}, {size.x, grip}, false, -1, theme.scale, ui.history_height, 80, most);
-    history_panel(state, ui, {position.x, position.y + inspector + grip}, {size.x, history});
+    column(state, ui, position, size, grip, inspector_panel, {history_panel, "##split_history", ui.history_height, 80, state.show_history});
 }
 
 /// Nobody types where nothing is seen.
@@ -101,10 +110,6 @@ void leave_source(AppState& state, Ui& ui) {
     ui.source.wanted.reset();
     state.source.read(state.document);
 }
-
-}  // namespace
-
-namespace {
 
 void dialogs(AppState& state, Ui& ui) {
     path_dialog(state, ui);

@@ -150,6 +150,11 @@ inline void tell(AppState& state, const std::optional<std::string>& problem) {
     else forget_problem(state);
 }
 
+/// Does a text field, or the source, have the keyboard?
+inline bool is_typing(const AppState& state, const Ui& ui) {
+    return ImGui::GetIO().WantTextInput || ui.typing.field >= 0 || ui.renaming.node || ui.source.focused || state.type_source;
+}
+
 /// The picture and the color for a node's kind; records by their key.
 Icon icon_of(const NodeType& type);
 Tint color_of(const NodeType& type);

@@ -33,7 +33,7 @@ public:
         for (const MoverState& s : world.movers()) q_.push_back(s.q);
         for (std::size_t i = 0; i < world.balls().size(); ++i) {
             const Ball& ball = world.balls()[i];
-            if (ball.state == BallState::quarantined || ball.state == BallState::drained) continue;
+            if (!is_on_table(ball)) continue;
             const double distance = gap_at(world.program(), q_, ball.position, ball.layer, 2 * r).distance;
             summary_.max_penetration = std::max(summary_.max_penetration, r - distance);
             if (i < escaped_.size() && !escaped_[i] && escaped(world.program(), ball, distance)) {

@@ -180,7 +180,7 @@ tl::unexpected<Failure> busy(const std::string& path) {
 void keep_backup(const fs::path& target, const std::string& content, const struct stat& like, FolderLock& lock) {
     fs::path backup = target;
     backup += ".bak";
-    if (const auto kept = replace_file(backup, content, like, lock, backup.string()); !kept) return;
+    static_cast<void>(replace_file(backup, content, like, lock, backup.string()));
 }
 
 }  // namespace

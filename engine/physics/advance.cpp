@@ -25,10 +25,6 @@ void freeze(WorldState& w, std::size_t i) {
     ++w.stats.capped_ticks;
 }
 
-}  // namespace
-
-namespace {
-
 /// On its way along a surface a ball gains what it falls, and loses what friction takes of its slip. A parabola beside a circle turns the
 /// velocity rightly but changes its length by what the turn is off: the force that turns does no work.
 void keep_energy(WorldState& w, std::size_t i, const Motion& path, double dt) {

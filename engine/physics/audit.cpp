@@ -52,8 +52,6 @@ bool crosses_boundary(const Field& field, const Vec2& a, const Vec2& b, LayerMas
     return found;
 }
 
-bool in_play(const Ball& ball) { return ball.state != BallState::drained && ball.state != BallState::quarantined; }
-
 /// Where a ball was during the tick.
 struct Track {
     std::vector<PathSegment> path;  ///< in order of time; none: it stood where it is
@@ -109,7 +107,7 @@ double overlap_of_balls(const World& world) {
     const std::span<const Ball> balls = world.balls();
     for (std::size_t i = 0; world.balls_collide() && i < balls.size(); ++i)
         for (std::size_t j = i + 1; j < balls.size(); ++j)
-            if (in_play(balls[i]) && in_play(balls[j]) && share_layer(balls[i], balls[j])) most = std::max(most, touch - length(balls[i].position - balls[j].position));
+            if (is_on_table(balls[i]) && is_on_table(balls[j]) && share_layer(balls[i], balls[j])) most = std::max(most, touch - length(balls[i].position - balls[j].position));
     return most;
 }
 
@@ -121,7 +119,7 @@ void Auditor::after_tick(const World& world) {
 void Auditor::check_pairs(const World& world) {
     std::vector<Track> tracks;
     for (const Ball& ball : world.balls())
-        if (in_play(ball)) tracks.push_back(track_of(world, ball));
+        if (is_on_table(ball)) tracks.push_back(track_of(world, ball));
     const double r = world.program().physics.ball_radius;
     for (std::size_t i = 0; i < tracks.size(); ++i)
         for (std::size_t j = i + 1; j < tracks.size(); ++j) {

@@ -28,6 +28,9 @@ struct Ball {
     double free_path = 0;  ///< metres it may still travel before the next field query
 };
 
+/// A jammed ball is, too.
+inline bool is_on_table(const Ball& ball) { return ball.state != BallState::drained && ball.state != BallState::quarantined; }
+
 /// Balls in different layers pass each other.
 inline bool share_layer(const Ball& a, const Ball& b) { return (a.layer & b.layer) != 0; }
 

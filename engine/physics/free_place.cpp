@@ -11,13 +11,11 @@ namespace {
 constexpr int directions = 64;
 constexpr double rings_per_radius = 6;
 
-bool in_play(const Ball& ball) { return ball.state != BallState::drained && ball.state != BallState::quarantined; }
-
 bool is_free(const World& world, const Ball& ball, const Vec2& p) {
     const PhysicsRecord& physics = world.program().physics;
     const double r = physics.ball_radius, touch = r + 0.5 * physics.tolerance;
     if (gap_at(world, p, ball.layer).distance < touch) return false;
-    const auto meets = [&](const Ball& other) { return other.id != ball.id && in_play(other) && length(other.position - p) < r + touch; };
+    const auto meets = [&](const Ball& other) { return other.id != ball.id && is_on_table(other) && share_layer(ball, other) && length(other.position - p) < r + touch; };
     return std::none_of(world.balls().begin(), world.balls().end(), meets);
 }
 
@@ -38,7 +36,7 @@ std::optional<Vec2> on_ring(const World& world, const Ball& ball, double radius)
 }  // namespace
 
 double overlap_of(const World& world, const Ball& ball) {
-    if (!in_play(ball)) return 0;
+    if (!is_on_table(ball)) return 0;
     const PhysicsRecord& physics = world.program().physics;
     const double missing = physics.ball_radius - gap_at(world, ball.position, ball.layer).distance;
     return missing > physics.tolerance ? missing : 0.0;

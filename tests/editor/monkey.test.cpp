@@ -56,9 +56,6 @@ public:
             advance(state_, 4);
         });
     }
-    bool typing() const {
-        return ImGui::GetIO().WantTextInput || ui_.typing.field >= 0 || ui_.renaming.node || ui_.source.focused || state_.type_source;
-    }
 
 private:
     AppState state_;
@@ -140,7 +137,7 @@ private:
     }
     void key(std::string_view name) {
         for (const bool down : {true, false})
-            editor_.keyboard().take(editor_.state(), {name, down, false}, editor_.typing(), [&] { return cancel_drag(editor_.state(), editor_.ui()); });
+            editor_.keyboard().take(editor_.state(), {name, down, false}, is_typing(editor_.state(), editor_.ui()), [&] { return cancel_drag(editor_.state(), editor_.ui()); });
         editor_.frame();
     }
     void press() {

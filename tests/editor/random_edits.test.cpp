@@ -58,15 +58,12 @@ private:
     /// Without what its children say in lines of their own.
     void own(NodeId id) {
         const Node& node = *scene_.find(id);
-        Touched inner(scene_);
-        for (const NodeId child : node.children) inner.lines(scene_.find(child)->where);
+        Touched inner(scene_), all(scene_);
         if (!node.children.empty() && is_item_line(node.children.front()))
-            for (const int line : inner.lines_) kept_.insert(line);
-        Touched all(scene_);
+            for (const NodeId child : node.children) inner.lines(scene_.find(child)->where);
         all.lines(node.where);
         for (const int line : all.lines_)
-            if (!kept_.contains(line)) lines_.insert(line);
-        kept_.clear();
+            if (!inner.lines_.contains(line)) lines_.insert(line);
     }
     /// An item of a block list, not one between brackets.
     bool is_item_line(NodeId id) const {
@@ -142,7 +139,7 @@ private:
 
     const Scene& scene_;
     const SourceText& text_;
-    Lines lines_, kept_;
+    Lines lines_;
 };
 
 /// The first line before the edit, of those it may not touch, that is not there after it, in the order they had; 0: there is none.
