@@ -26,12 +26,12 @@ volatile std::sig_atomic_t ending_signal = 0;
 /// The second one ends the process at once.
 void remember_signal(int number) {
     ending_signal = number;
-    std::signal(number, SIG_DFL);
+    static_cast<void>(std::signal(number, SIG_DFL));
 }
 
 void listen_to_signals() {
     for (const int number : {SIGTERM, SIGINT, SIGHUP})
-        if (std::signal(number, remember_signal) == SIG_IGN) std::signal(number, SIG_IGN);  // as nohup wants it
+        if (std::signal(number, remember_signal) == SIG_IGN) static_cast<void>(std::signal(number, SIG_IGN));  // as nohup wants it
 }
 
 std::string window_title(const Document& document) {
@@ -54,10 +54,10 @@ App::App(AppState state, std::unique_ptr<Window> window, const AppOptions& optio
       window_(std::move(window)),
       bridge_(*window_),
       table_painter_(window_->gl()),
-      outline_painter_(window_->gl()) {
+      outline_painter_(window_->gl()),
+      last_seconds_(window_->seconds()) {
     window_->listen(options.listen);
     ui_.theme = make_theme(static_cast<float>(window_->content_scale()), static_cast<float>(options.font_size));
-    last_seconds_ = window_->seconds();
     state_.give_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
     state_.ask_clipboard = [] {
         const char* text = ImGui::GetClipboardText();

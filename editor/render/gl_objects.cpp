@@ -97,7 +97,7 @@ void FieldTexture::upload(int width, int height, const float* distance, const sh
         gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R16I, width, height, 0, GL_RED_INTEGER, GL_SHORT, material);
 }
 
-void FieldTexture::upload_rows(int first, int count, const float* distance, const short* material) {
+void FieldTexture::upload_rows(int first, int count, const float* distance, const short* material) const {
     const std::size_t from = static_cast<std::size_t>(first) * static_cast<std::size_t>(width_);
     bind();
     gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);

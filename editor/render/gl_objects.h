@@ -46,7 +46,7 @@ public:
     /// Row 0 is the top of the picture; `material` may be null.
     void upload(int width, int height, const float* distance, const short* material);
     /// The same picture, of which some rows have changed: `distance` and `material` are whole still.
-    void upload_rows(int first, int count, const float* distance, const short* material);
+    void upload_rows(int first, int count, const float* distance, const short* material) const;
     void bind() const;  ///< distances to unit 0, materials to unit 1
     int width() const { return width_; }
     int height() const { return height_; }

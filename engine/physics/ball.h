@@ -28,7 +28,7 @@ struct Ball {
     double free_path = 0;  ///< metres it may still travel before the next field query
 };
 
-/// A jammed ball is, too.
+/// Not drained and not taken out; a jammed ball is on the table, too.
 inline bool is_on_table(const Ball& ball) { return ball.state != BallState::drained && ball.state != BallState::quarantined; }
 
 /// Balls in different layers pass each other.

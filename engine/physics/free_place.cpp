@@ -44,8 +44,8 @@ double overlap_of(const World& world, const Ball& ball) {
 
 std::optional<Vec2> free_place(const World& world, const Ball& ball, double reach) {
     const double step = world.program().physics.ball_radius / rings_per_radius;
-    for (double radius = step; radius <= reach; radius += step) {
-        const std::optional<Vec2> found = on_ring(world, ball, radius);
+    for (int ring = 1; ring * step <= reach; ++ring) {
+        const std::optional<Vec2> found = on_ring(world, ball, ring * step);
         if (!found) continue;
         double blocked = 0, open = 1;  // of the way there
         for (int i = 0; i < 20; ++i) {

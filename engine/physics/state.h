@@ -118,7 +118,9 @@ struct WorldScratch {
 
 struct WorldState : WorldSetup, PersistentState, WorldReport, WorldScratch {
     WorldState() = default;
-    WorldState(const WorldState& other) : WorldSetup(other), PersistentState(other), WorldReport(other) {}
+    /// The scratch begins anew.
+    WorldState(const WorldState& other)  // NOLINT(bugprone-copy-constructor-init)
+        : WorldSetup(other), PersistentState(other), WorldReport(other) {}
     WorldState& operator=(const WorldState&) = delete;
 
     const Program& program() const { return *prepared->program; }

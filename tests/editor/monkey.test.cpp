@@ -111,7 +111,7 @@ private:
         ImGui::GetIO().MouseDown[which] = down;
         editor_.frame();
     }
-    void with_modifiers(bool control, bool shift, bool alt) {
+    static void with_modifiers(bool control, bool shift, bool alt) {
         ImGuiIO& io = ImGui::GetIO();
         io.KeyCtrl = control, io.KeyShift = shift, io.KeyAlt = alt;
     }
@@ -184,7 +184,7 @@ void check_state(AppState& state) {
     const Reading again = document.read(document.source().text());
     REQUIRE(again.ok() == document.reading().ok());
     REQUIRE(same_content(again.scene, document.scene()));
-    if (const auto fresh = compile(document.scene())) REQUIRE(pinfield::test::difference(state.session.program(), **fresh) == "");
+    if (const auto fresh = compile(document.scene())) REQUIRE(pinfield::test::difference(state.session.program(), **fresh).empty());
 }
 
 /// Undoes all there is, and does it again.
