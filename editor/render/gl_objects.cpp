@@ -9,7 +9,7 @@ namespace pinfield::editor {
 namespace {
 
 [[noreturn]] void shader_is_wrong(const char* what, const std::array<char, 2048>& log) {
-    std::fprintf(stderr, "pinfield-editor: %s: %s\n", what, log.data());
+    static_cast<void>(std::fprintf(stderr, "pinfield-editor: %s: %s\n", what, log.data()));
     std::abort();
 }
 
@@ -32,10 +32,10 @@ constexpr int floats_per_vertex = 5;
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(const Gl& gl, const std::string& vertex, const std::string& fragment) : gl_(gl) {
+ShaderProgram::ShaderProgram(const Gl& gl, const std::string& vertex, const std::string& fragment)
+    : gl_(gl), program_(gl.CreateProgram()) {
     const unsigned v = compile_shader(gl, GL_VERTEX_SHADER, vertex);
     const unsigned f = compile_shader(gl, GL_FRAGMENT_SHADER, fragment);
-    program_ = gl.CreateProgram();
     gl.AttachShader(program_, v);
     gl.AttachShader(program_, f);
     gl.BindAttribLocation(program_, 0, "place");
@@ -138,7 +138,7 @@ void KeptPicture::begin(int width, int height) {
     gl_.Viewport(0, 0, width, height);
 }
 
-void KeptPicture::end() { gl_.BindFramebuffer(GL_FRAMEBUFFER, 0); }
+void KeptPicture::end() const { gl_.BindFramebuffer(GL_FRAMEBUFFER, 0); }
 
 void KeptPicture::show(int left, int bottom) const {
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, buffer_);
@@ -154,6 +154,7 @@ QuadBuffer::QuadBuffer(const Gl& gl) : gl_(gl) {
     constexpr int stride = floats_per_vertex * static_cast<int>(sizeof(float));
     const auto attribute = [&](unsigned index, int count, std::size_t first) {
         gl.EnableVertexAttribArray(index);
+        // OpenGL takes an offset for a pointer here. NOLINTNEXTLINE(performance-no-int-to-ptr)
         gl.VertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(first * sizeof(float)));
     };
     attribute(0, 2, 0);

@@ -66,7 +66,7 @@ public:
     KeptPicture& operator=(const KeptPicture&) = delete;
 
     void begin(int width, int height);  ///< what is drawn from now on goes into it
-    void end();                         ///< and then to the window again; the viewport is whoever's draws next
+    void end() const;                   ///< and then to the window again; the viewport is whoever's draws next
     /// Copied pixel by pixel onto the window, `left` and `bottom` device pixels from its bottom left corner.
     void show(int left, int bottom) const;
 
