@@ -17,7 +17,6 @@ namespace pinfield::editor {
 namespace {
 
 constexpr double finest_grid = 1e-5;  ///< metres, where no grid is wanted
-constexpr double pixels_per_integer = 8;
 
 /// The i-th of the numbers in a text such as "30mm" or "[0.26, 800mm]"; empty when there are not as many.
 std::string_view part_of(std::string_view text, int i) {
@@ -163,49 +162,6 @@ double scrub_step(const FieldType& field, double value) {
     double step = field.meta.unit == Unit::metre ? 0.001 : 0.01;
     while (std::fabs(value) >= 1000 * step && step < 1e6) step *= 10;
     return step;
-}
-
-bool Scrub::begin(const Document& document, NodeId id, int field, int component_index) {
-    const Node* node = document.scene().find(id);
-    if (active() || !node) return false;
-    const Value& value = at(node->fields, field).value;
-    if (component_index < 0 || component_index >= component_count(value)) return false;
-    node_ = id;
-    field_ = field;
-    component_ = component_index;
-    before_ = value;
-    return true;
-}
-
-void Scrub::update(Document& document, double pixels, bool fine, bool coarse) {
-    const Node* node = active() ? document.scene().find(node_) : nullptr;
-    if (!node) return;
-    const FieldType& field = at(node->type->fields, field_);
-    const double from = component(before_, component_);
-    const bool integer = field.kind == FieldKind::integer;
-    const double step = scrub_step(field, from) * (coarse ? 10 : fine && !integer ? 0.1 : 1);
-    const double steps = std::round(pixels / (integer ? pixels_per_integer : 1));
-    if (steps == 0 && !document.previewing()) return;
-    SetField edit{node_, field_, before_, true};
-    const double target = steps == 0 ? from : on_grid(from + steps * step, step);
-    const auto allowed = [&](double x) {
-        edit.value = with_component(before_, component_, x);
-        return !why_invalid(document.scene(), edit);
-    };
-    edit.value = with_component(before_, component_, nearest_allowed(allowed, from, target, step));
-    document.preview(edit);
-}
-
-std::optional<std::string> Scrub::end(Document& document) {
-    if (!active()) return {};
-    const NodeId id = node_;
-    node_ = {};
-    return document.scene().find(id) ? document.commit(change_label(document.scene(), id, field_)) : std::nullopt;
-}
-
-void Scrub::cancel(Document& document) {
-    if (active()) document.cancel_preview();
-    node_ = {};
 }
 
 Result<Value> value_of(const FieldType& field, std::string_view text) {

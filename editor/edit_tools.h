@@ -1,4 +1,4 @@
-// What a hand does to a node, as Edits: dragging it, scrubbing a number, typing a value. Each previews while it goes on and
+// What a hand does to a node, as Edits: dragging it, typing a value. Each previews while it goes on and
 // commits once at its end. No window, no ImGui.
 #pragma once
 #include <Eigen/Core>
@@ -64,25 +64,6 @@ Value with_component(Value value, int index, double x);
 
 /// What one step of a scrub is, in the field's own unit: the field's, or one that suits the value.
 double scrub_step(const FieldType& field, double value);
-
-/// A number being changed by dragging it sideways: one step a pixel (an integer: one in eight).
-class Scrub {
-public:
-    bool active() const { return static_cast<bool>(node_); }
-    NodeId node() const { return node_; }
-    int field() const { return field_; }
-    bool begin(const Document& document, NodeId node, int field, int component = 0);
-    /// `pixels` since the begin; fine: a tenth, coarse: ten times. Never leaves what why_invalid() allows: it stops at the last
-    /// value on the way that is valid.
-    void update(Document& document, double pixels, bool fine = false, bool coarse = false);
-    std::optional<std::string> end(Document& document);
-    void cancel(Document& document);
-
-private:
-    NodeId node_;
-    int field_ = 0, component_ = 0;
-    Value before_;
-};
 
 /// A value in the format's own spelling ("30mm", "[0.26, 800mm]", "crimson"), or why it is none.
 Result<Value> value_of(const FieldType& field, std::string_view text);

@@ -1,10 +1,16 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
+#include "editor/shared_fields.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/at.h"
 #include "engine/core/numbers.h"
 #include "engine/program/distance_quality.h"
 
@@ -93,10 +99,9 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
     exactness_badges(state, theme, node);
 }
 
-void field_rows(AppState& state, Ui& ui, const Node& node, bool common) {
-    for (std::size_t i = 0; i < node.type->fields.size(); ++i)
-        if (node.type->fields[i].common == common && (node.has_use_for(i) || node.fields[i].is_explicit))
-            field_row(state, ui, node, static_cast<int>(i));
+void field_rows(AppState& state, Ui& ui, const Node& node, std::span<const SharedField> fields, bool common) {
+    for (const SharedField& field : fields)
+        if (at(node.type->fields, field.front().field).common == common) field_row(state, ui, node, field);
 }
 
 void contracts(const Theme& theme, const NodeType& type) {
@@ -116,32 +121,92 @@ void nothing_selected(const Theme& theme) {
     ImGui::PopTextWrapPos();
 }
 
+/// "2 circles, bumper": the kinds of several nodes, in the order of the first of each.
+std::string kinds_of(const Scene& scene, std::span<const NodeId> nodes) {
+    std::vector<std::pair<std::string_view, int>> counts;
+    for (const NodeId id : nodes) {
+        const std::string_view key = scene.find(id)->type->key();
+        const auto there = std::find_if(counts.begin(), counts.end(), [&](const auto& count) { return count.first == key; });
+        if (there == counts.end()) counts.emplace_back(key, 1);
+        else ++there->second;
+    }
+    std::string text;
+    for (const auto& [key, count] : counts) {
+        text += text.empty() ? "" : ", ";
+        text += count == 1 ? std::string(key) : std::to_string(count) + " \u00d7 " + std::string(key);
+    }
+    return text;
+}
+
+void header_of_many(const AppState& state, const Theme& theme, std::span<const NodeId> nodes) {
+    text_in(theme.large, palette::text, std::to_string(nodes.size()) + " nodes");
+    ImGui::PushTextWrapPos(0);
+    text_in(theme.small, palette::quiet, kinds_of(state.document.scene(), nodes));
+    text_in(theme.body, palette::quiet, "What they have in common. A number that is typed goes to all of them, one that is dragged changes each by as much.");
+    ImGui::PopTextWrapPos();
+}
+
+/// The nodes that have this material, to click.
+void users(AppState& state, const Ui& ui, const Node& material) {
+    const Theme& theme = ui.theme;
+    const std::vector<NodeId> nodes = users_of(state.document.scene(), Meaning::material, material.name);
+    section(theme, "Used by");
+    if (nodes.empty()) text_in(theme.body, palette::quiet, "Nothing yet");
+    std::optional<NodeId> clicked;
+    for (const NodeId id : nodes) {
+        ImGui::PushID(static_cast<int>(id.value));
+        if (ImGui::Selectable(state.document.scene().path(id).c_str())) clicked = id;
+        ImGui::PopID();
+    }
+    if (nodes.size() > 1 && small_button(theme, "Select all of them", "Selects every node that names this material.")) select(state, nodes);
+    else if (clicked) select(state, *clicked);
+}
+
+bool is_material(const Scene& scene, NodeId node) {
+    const std::vector<NodeId>& materials = scene.materials();
+    return std::find(materials.begin(), materials.end(), node) != materials.end();
+}
+
+/// The selected nodes that there are; the one that panels show comes last.
+std::vector<NodeId> shown_nodes(const AppState& state) {
+    std::vector<NodeId> nodes;
+    for (const NodeId id : state.selection.nodes())
+        if (state.document.scene().find(id)) nodes.push_back(id);
+    return nodes;
+}
+
+/// A field's edit may replace the whole tree (an id changed, the file reloaded): rows look at a copy of the node.
+void properties(AppState& state, Ui& ui, const Node& node, std::span<const NodeId> nodes) {
+    const Theme& theme = ui.theme;
+    const std::vector<SharedField> fields = shared_fields(state.document.scene(), node.id, nodes);
+    const auto is_common = [&](const SharedField& f) { return at(node.type->fields, f.front().field).common; };
+    if (!std::all_of(fields.begin(), fields.end(), is_common)) {
+        section(theme, "Properties");
+        field_rows(state, ui, node, fields, false);
+        if (nodes.size() == 1) contracts(theme, *node.type);
+    }
+    if (std::any_of(fields.begin(), fields.end(), is_common)) {
+        section(theme, "Place");
+        field_rows(state, ui, node, fields, true);
+    }
+}
+
 }  // namespace
 
 void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const Theme& theme = ui.theme;
     begin_region("##inspector", position, size, palette::panel, {theme.px(14), theme.px(12)}, ImGuiWindowFlags_None);
     ImGui::BeginChild("##fields", {0, 0}, false, ImGuiWindowFlags_NoNav);
-    const Node* found = state.document.scene().find(state.selection.primary());
-    if (!found) {
+    const std::vector<NodeId> nodes = shown_nodes(state);
+    if (nodes.empty()) {
         nothing_selected(theme);
     } else {
-        // A field's edit may replace the whole tree (an id changed, the file reloaded): rows look at a copy.
-        const Node node = *found;
+        const Node node = *state.document.scene().find(nodes.back());
         ImGui::PushID(static_cast<int>(node.id.value));
-        header(state, theme, node);
-        const auto& fields = node.type->fields;
-        const bool own = std::any_of(fields.begin(), fields.end(), [](const FieldType& f) { return !f.common; });
-        const bool common = std::any_of(fields.begin(), fields.end(), [](const FieldType& f) { return f.common; });
-        if (own) {
-            section(theme, "Properties");
-            field_rows(state, ui, node, false);
-            contracts(theme, *node.type);
-        }
-        if (common) {
-            section(theme, "Place");
-            field_rows(state, ui, node, true);
-        }
+        if (nodes.size() == 1) header(state, theme, node);
+        else header_of_many(state, theme, nodes);
+        properties(state, ui, node, nodes);
+        if (nodes.size() == 1 && is_material(state.document.scene(), node.id)) users(state, ui, node);
         ImGui::PopID();
     }
     ImGui::EndChild();

@@ -49,12 +49,8 @@ float footer_height(const Theme& theme, const AppState& state) {
     return state.source.pending() && !state.source.problems().empty() ? theme.px(58) : 0;
 }
 
-bool small_button(const Theme& theme, const char* label, std::string_view action) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(10), theme.px(3)));
-    const bool pressed = ImGui::Button(label);
-    ImGui::PopStyleVar();
-    tooltip(theme, find_action(action)->doc);
-    return pressed;
+bool action_button(const Theme& theme, const char* label, std::string_view action) {
+    return small_button(theme, label, find_action(action)->doc);
 }
 
 /// What keeps the text from being the table's, and the way on.
@@ -82,9 +78,9 @@ void footer(AppState& state, Ui& ui, ImVec2 place, ImVec2 size) {
     }
     ImGui::SetCursorScreenPos({left, y + theme.px(2)});
     std::string_view action;
-    if (stale && small_button(theme, "Try again", "source.try_again")) action = "source.try_again";
+    if (stale && action_button(theme, "Try again", "source.try_again")) action = "source.try_again";
     if (stale) ImGui::SameLine();
-    if (small_button(theme, "Discard", "source.discard")) action = "source.discard";
+    if (action_button(theme, "Discard", "source.discard")) action = "source.discard";
     if (!stale) {
         ImGui::SameLine();
         list.AddText({ImGui::GetCursorScreenPos().x, y + theme.px(5)}, ink(palette::quiet),

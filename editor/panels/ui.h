@@ -13,6 +13,7 @@
 #include "editor/line_marks.h"
 #include "editor/pick.h"
 #include "editor/picture.h"
+#include "editor/scrub.h"
 #include "editor/snap.h"
 #include "editor/text_cursor.h"
 #include "editor/theme/theme.h"

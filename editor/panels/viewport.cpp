@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "editor/panels/fields.h"
@@ -165,7 +166,7 @@ void view_controls(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const float icon = ImGui::GetFontSize() + 2 * theme.px(4);
     if (size.x < words + icon + 3 * margin) return;
     ImGui::SetCursorScreenPos({position.x + size.x - words - icon - margin - theme.px(6), position.y + margin});
-    const int style = segmented(theme, "style", {"Shaded", "Isolines"}, state.view.style == ViewStyle::shaded ? 0 : 1);
+    const int style = segmented(theme, "style", std::array<std::string_view, 2>{"Shaded", "Isolines"}, state.view.style == ViewStyle::shaded ? 0 : 1);
     if (style >= 0) run(state, style == 0 ? "view.shaded" : "view.isolines");
     ImGui::SetCursorScreenPos({position.x + size.x - margin - icon, position.y + margin});
     if (icon_button(theme, {.icon = Icon::frame, .id = "frame", .tooltip = "Frame the table (Home)"}, icon)) run(state, "view.all");

@@ -5,6 +5,11 @@
 #include <cmath>
 
 namespace pinfield::editor {
+namespace {
+
+float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
+}  // namespace
 
 bool begin_region(const char* name, ImVec2 position, ImVec2 size, const Tint& background, ImVec2 padding, ImGuiWindowFlags more) {
     ImGui::SetNextWindowPos(position);
@@ -95,20 +100,19 @@ void pill(const Theme& theme, std::string_view text, const Tint& color, PillStyl
 
 float pill_width(const Theme& theme, std::string_view text) {
     ImGui::PushFont(theme.small);
-    const float width = ImGui::CalcTextSize(text.data(), text.data() + text.size()).x;
+    const float width = text_width(text);
     ImGui::PopFont();
     return width + 2 * theme.px(pill_pad);
 }
 
 std::string fitted(std::string_view text, float width) {
-    const auto width_of = [](std::string_view t) { return ImGui::CalcTextSize(t.data(), t.data() + t.size()).x; };
-    if (width_of(text) <= width) return std::string(text);
+    if (text_width(text) <= width) return std::string(text);
     std::size_t length = text.size();
     while (length > 0) {
         --length;
         while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0u) == 0x80u) --length;  // whole characters
         const std::string shorter = std::string(text.substr(0, length)) + "\u2026";
-        if (width_of(shorter) <= width) return shorter;
+        if (text_width(shorter) <= width) return shorter;
     }
     return "";
 }
@@ -142,27 +146,44 @@ float steady_number(ImDrawList& list, ImFont* font, ImVec2 place, const Tint& co
     return x - place.x;
 }
 
-int segmented(const Theme& theme, const char* id, std::initializer_list<const char*> words, int chosen) {
+float segmented_width(const Theme& theme, std::span<const std::string_view> words) {
+    float total = 0;
+    for (const std::string_view word : words) total += std::ceil(text_width(word)) + 2 * theme.px(10);
+    return total;
+}
+
+int segmented(const Theme& theme, const char* id, std::span<const std::string_view> words, int chosen) {
     ImGui::PushID(id);
     int clicked = -1, index = 0;
     const ImVec2 pad{theme.px(10), theme.px(4)};
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 place = ImGui::GetCursorScreenPos();
     const float height = ImGui::GetFontSize() + 2 * pad.y, round = theme.px(5);
-    float total = 0;
-    for (const char* word : words) total += std::ceil(ImGui::CalcTextSize(word).x) + 2 * pad.x;
-    list.AddRectFilled(place, {place.x + total, place.y + height}, ink(palette::field.faded(0.92f)), round);
-    for (const char* word : words) {
-        const float width = std::ceil(ImGui::CalcTextSize(word).x) + 2 * pad.x;
+    list.AddRectFilled(place, {place.x + segmented_width(theme, words), place.y + height}, ink(palette::field.faded(0.92f)), round);
+    for (const std::string_view word : words) {
+        const float width = std::ceil(text_width(word)) + 2 * pad.x;
         ImGui::SetCursorScreenPos(place);
-        if (ImGui::InvisibleButton(word, {width, height})) clicked = index;
+        ImGui::PushID(index);
+        if (ImGui::InvisibleButton("word", {width, height})) clicked = index;
+        ImGui::PopID();
         const bool lit = index == chosen, hot = ImGui::IsItemHovered();
         if (lit) list.AddRectFilled(place, {place.x + width, place.y + height}, ink(palette::accent_deep), round);
-        list.AddText({place.x + pad.x, place.y + pad.y}, ink(lit || hot ? palette::text : palette::quiet), word);
+        list.AddText({place.x + pad.x, place.y + pad.y}, ink(lit || hot ? palette::text : palette::quiet), word.data(), word.data() + word.size());
         place.x += width;
         ++index;
     }
     ImGui::PopID();
+    return clicked;
+}
+
+bool small_button(const Theme& theme, const char* label, std::string_view tip) {
+    ImGui::PushStyleColor(ImGuiCol_Button, palette::field);
+    ImGui::PushStyleColor(ImGuiCol_Text, palette::quiet);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(8), theme.px(2)));
+    const bool clicked = ImGui::Button(label);
+    ImGui::PopStyleVar();
+    ImGui::PopStyleColor(2);
+    tooltip(theme, tip);
     return clicked;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <imgui.h>
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -45,8 +46,12 @@ void text_in(ImFont* font, const Tint& color, std::string_view text);
 /// Digits in cells of one width, so that a running counter does not shiver. Returns the width drawn.
 float steady_number(ImDrawList& list, ImFont* font, ImVec2 place, const Tint& color, std::string_view text);
 
-/// One of several words, side by side. Returns the index chosen now, or -1.
-int segmented(const Theme& theme, const char* id, std::initializer_list<const char*> words, int chosen);
+/// One of several words, side by side; `chosen` -1: none. Returns the index chosen now, or -1.
+int segmented(const Theme& theme, const char* id, std::span<const std::string_view> words, int chosen);
+float segmented_width(const Theme& theme, std::span<const std::string_view> words);
+
+/// A word that does something, no larger than what stands beside it.
+bool small_button(const Theme& theme, const char* label, std::string_view tip);
 
 /// Like ImGui::BeginCombo(), with a chevron in the theme's manner; end with ImGui::EndCombo() when true.
 bool begin_combo(const Theme& theme, const char* id, const char* preview, float width);

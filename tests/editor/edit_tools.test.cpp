@@ -1,4 +1,5 @@
 #include "editor/edit_tools.h"
+#include "editor/scrub.h"
 
 #include <catch2/catch.hpp>
 
@@ -43,7 +44,7 @@ void scrub_all_fields(Document& document, NodeId id, CounterRng& rng) {
         INFO(document.scene().path(id) << ", field " << field);
         for (int i = 0; i < component_count(before); ++i) {
             Scrub scrub;
-            REQUIRE(scrub.begin(document, id, field, i));
+            REQUIRE(scrub.begin(document, SharedField{{id, field}}, i));
             bool valid = true;
             for (int move = 0; move < 9; ++move) {
                 scrub.update(document, std::floor(rng.in(-1, 1) * (move < 4 ? 20 : 1e5)), move % 3 == 0, move % 3 == 1);
@@ -124,7 +125,7 @@ TEST_CASE("a scrub moves by whole steps, finer with fine, coarser with coarse, a
     const int radius = *document.scene().find("pop")->type->find_field("radius");
     const auto scrubbed = [&](double pixels, bool fine, bool coarse) {
         Scrub scrub;
-        REQUIRE(scrub.begin(document, id_of(document, "pop"), radius));
+        REQUIRE(scrub.begin(document, SharedField{{id_of(document, "pop"), radius}}));
         scrub.update(document, 3);
         scrub.update(document, pixels, fine, coarse);
         REQUIRE_FALSE(scrub.end(document));
@@ -157,7 +158,7 @@ TEST_CASE("a scrub past the end of a range stops at the last step before it") {
     Document document = opened(folder);
     const auto dragged = [&](std::string_view field, double pixels) {
         Scrub scrub;
-        REQUIRE(scrub.begin(document, id_of(document, "pop"), *document.scene().find("pop")->type->find_field(field)));
+        REQUIRE(scrub.begin(document, SharedField{{id_of(document, "pop"), *document.scene().find("pop")->type->find_field(field)}}));
         scrub.update(document, pixels);
         const double value = document.scene().find("pop")->get<double>(field);
         scrub.cancel(document);

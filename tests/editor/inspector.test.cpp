@@ -48,6 +48,16 @@ public:
         io.MouseDown[0] = false;
         frame();
     }
+    void click(const ImVec2& place) {
+        ImGuiIO& io = ImGui::GetIO();
+        io.MousePos = place;
+        frame();
+        for (const bool down : {true, false}) {
+            io.MouseDown[0] = down;
+            frame();
+        }
+        frame();
+    }
     std::string all() const {
         std::string out;
         for (const ScreenText& t : seen_) out += "[" + t.text + "]";
@@ -143,4 +153,87 @@ TEST_CASE("the inspector has a row for every field of every kind of node") {
         }
     }
     CHECK(tried > 10);
+}
+
+namespace {
+
+constexpr const char* pins = R"(pinfield: 1
+materials:
+  rubber: {restitution: 0.8}
+scene:
+  - circle: {id: a, at: [0.1, 0.2], radius: 10mm, material: rubber}
+  - circle: {id: b, at: [0.2, 0.2], radius: 20mm, material: rubber}
+  - box: {id: c, at: [0.3, 0.2], size: [10mm, 20mm]}
+  - polygon: {id: wedge, points: [[0, 0], [40mm, 0], [0, 40mm]]}
+  - mirror: {id: twins, children: [circle: {id: half, at: [0.1, 0.5]}]}
+)";
+
+}  // namespace
+
+TEST_CASE("with several nodes selected the inspector shows what they share, says where values differ, and a drag changes all") {
+    Inspector inspector(catalog(), pins);
+    AppState& state = inspector.state();
+    for (const char* id : {"a", "b"}) state.selection.toggle(id_of(state.document, id));
+    inspector.frame();
+    INFO(inspector.all());
+    CHECK(inspector.find("2 nodes"));
+    CHECK(inspector.find("2 ? circle"));  // the fixture reads ASCII: a multiplication sign
+    CHECK(inspector.find("radius"));
+    CHECK_FALSE(inspector.find("id"));
+    const ScreenText* radius = inspector.find("mixed");
+    REQUIRE(radius);  // of x: 100 and 200; of the radii below it
+    CHECK(inspector.find("200"));
+    CHECK(inspector.find("rubber"));
+
+    const ScreenText* lower = nullptr;
+    for (const ScreenText& text : inspector.seen())
+        if (text.text == "mixed" && (!lower || text.at.y < lower->at.y)) lower = &text;
+    inspector.drag({lower->at.x + 4, lower->at.y + 6}, 10);
+    CHECK(state.document.scene().find("a")->get<double>("radius") == Approx(0.020));
+    CHECK(state.document.scene().find("b")->get<double>("radius") == Approx(0.030));
+    CHECK(state.document.undo_steps() == 1);
+
+    state.selection.toggle(id_of(state.document, "c"));
+    inspector.frame();
+    CHECK_FALSE(inspector.find("radius"));
+    CHECK(inspector.find("2 ? circle, box"));
+}
+
+TEST_CASE("few words stand side by side as buttons, and a click takes one") {
+    Inspector inspector(catalog(), pins);
+    inspector.select("twins");
+    inspector.frame();
+    INFO(inspector.all());
+    const ScreenText* other = inspector.find("y");
+    REQUIRE(inspector.find("x"));
+    for (const ScreenText& text : inspector.seen())
+        if (text.text == "y" && (!other || text.at.y < other->at.y)) other = &text;
+    REQUIRE(other);
+    inspector.click({other->at.x + 3, other->at.y + 6});
+    CHECK(inspector.state().document.scene().find("twins")->get<std::string>("across") == "y");
+}
+
+TEST_CASE("a list of points takes one more by a click") {
+    Inspector inspector(catalog(), pins);
+    inspector.select("wedge");
+    inspector.frame();
+    INFO(inspector.all());
+    const ScreenText* more = inspector.find("+ point");
+    REQUIRE(more);
+    inspector.click({more->at.x + 3, more->at.y + 6});
+    const auto points = inspector.state().document.scene().find("wedge")->get<std::vector<Vec2>>("points");
+    REQUIRE(points.size() == 4);
+    CHECK((points[3] - Vec2(-0.02, 0.06)).norm() < 1e-12);
+}
+
+TEST_CASE("a material lists the nodes that have it, and a click goes to one") {
+    Inspector inspector(catalog(), pins);
+    inspector.state().selection.set(inspector.state().document.scene().materials().front());
+    inspector.frame();
+    INFO(inspector.all());
+    CHECK(inspector.find("Used by"));
+    const ScreenText* user = inspector.find("b");
+    REQUIRE(user);
+    inspector.click({user->at.x + 3, user->at.y + 6});
+    CHECK(inspector.state().selection.primary() == id_of(inspector.state().document, "b"));
 }
