@@ -42,6 +42,7 @@ const std::vector<Action>& all_actions() {
         {"edit.nudge_far_up", "Nudge far up", "", "Shift+Up", "Move the selected nodes by ten steps of the grid.", true},
         {"edit.nudge_far_down", "Nudge far down", "", "Shift+Down", "Move the selected nodes by ten steps of the grid.", true},
         {"edit.source", "Type in the source", "Edit", "Ctrl+E", "Go to the selected node's lines in the table's text, and type there."},
+        {"select.find", "Find in the tree", "Select", "Ctrl+F", "Type a part of an id or type above the tree; Enter goes to the first node found."},
         {"select.parent", "Select the parent", "Select", "Alt+Up", "Select what the selected node lies in."},
         {"select.child", "Select the first child", "Select", "Alt+Down", "Select the first node in the selected one."},
         {"select.previous", "Select the one before", "Select", "Alt+Left", "Select the node before, among the same parent's.", true},

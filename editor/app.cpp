@@ -40,6 +40,18 @@ std::string window_title(const Document& document) {
     return (document.dirty() ? "\u2022 " : "") + name + " \u2013 Pinfield";
 }
 
+/// What balls meet though it is not drawn: while a table is made its author must see it.
+std::vector<NodeId> hidden_solids(const Program& program) {
+    std::vector<NodeId> nodes;
+    const auto collect = [&](const Field& field) {
+        for (const Solid& solid : field.solids)
+            if (!solid.visible && (nodes.empty() || nodes.back() != solid.origin)) nodes.push_back(solid.origin);
+    };
+    collect(program.fixed);
+    for (const Mover& mover : program.movers) collect(mover.field);
+    return nodes;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<App>> App::open(AppState state, const AppOptions& options) {
@@ -236,10 +248,19 @@ void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> 
         if (plays(state_) && ui_.hovered != node) continue;  // in play nothing is seen of it
         outline_painter_.draw(program, places, node, {palette::teal.rgb(), 0.45, 1.2 * pixel, 0.04, 0.10}, canvas);
     }
+    if (!plays(state_))
+        for (const NodeId node : hidden_solids(*program)) outline_painter_.draw(program, places, node, {palette::quiet.rgb(), 0.6, pixel, 0, 0.14}, canvas);
     if (ui_.hovered && !state_.selection.contains(ui_.hovered) && !ui_.drag.active())
-        outline_painter_.draw(program, places, ui_.hovered, {palette::text.rgb(), 0.75, 1.4 * pixel, 0.06, 0}, canvas);
+        paint_outline(ui_.hovered, places, {palette::text.rgb(), 0.75, 1.4 * pixel, 0.06, 0}, canvas);
     for (const NodeId node : state_.selection.nodes())
-        outline_painter_.draw(program, places, node, {palette::accent.rgb(), 1, 2.2 * pixel, 0.12, 0}, canvas);
+        paint_outline(node, places, {palette::accent.rgb(), 1, 2.2 * pixel, 0.12, 0}, canvas);
+}
+
+/// Of a group, which has no solid of its own, those of its members.
+void App::paint_outline(NodeId node, std::span<const MoverPlace> places, const OutlineStyle& style, const Canvas& canvas) {
+    const Node* found = state_.document.scene().find(node);
+    if (!found || outline_painter_.draw(state_.session.world().shared_program(), places, node, style, canvas)) return;
+    for (const NodeId child : found->children) paint_outline(child, places, style, canvas);
 }
 
 Result<bool> App::screenshot(const std::string& path) {

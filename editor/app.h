@@ -66,6 +66,7 @@ private:
     Canvas canvas() const;
     void paint();
     void paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> places, const Canvas& canvas);
+    void paint_outline(NodeId node, std::span<const MoverPlace> places, const OutlineStyle& style, const Canvas& canvas);
 
     AppState state_;
     AppOptions options_;

@@ -194,6 +194,7 @@ constexpr Handler handlers[] = {
     {"edit.undo", [](const AppState& s) { return s.document.can_undo() || s.document.previewing(); }, undo},
     {"edit.redo", [](const AppState& s) { return s.document.can_redo() && !s.document.previewing(); }, redo},
     {"edit.deselect", always, deselect},
+    {"select.find", always, [](AppState& s) { s.find_node = s.show_panels = true; }},
     {"edit.source", always, [](AppState& s) { s.show_source = s.type_source = true; }},
     {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
     {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},

@@ -75,6 +75,7 @@ struct AppState {
     std::string dialog_path;    ///< dialog.cancel; what the user typed so far
     std::string replaces{};     ///< another file that was asked about: naming it once more replaces it
     NodeId renaming{};          ///< its new id is to be typed in the tree
+    bool find_node = false;     ///< the tree's filter is to take the keyboard
     std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
     std::optional<WorkKeeper> keeper;    ///< none: unsaved work is neither kept nor offered (scripts, tests)

@@ -26,6 +26,11 @@ std::optional<FoundCommand> found_in(const Command& command, std::size_t index, 
     return FoundCommand{index, otherwise, {}};
 }
 
+void add_types(std::vector<Command>& commands, std::string_view verb, const std::vector<const NodeType*>& types, TypeUse use) {
+    for (const NodeType* type : types)
+        commands.push_back({{}, {}, std::string(verb) + std::string(type->key()), std::string(name(type->meta.kind)), type, use});
+}
+
 }  // namespace
 
 std::vector<Command> all_commands(const AppState& state) {
@@ -40,6 +45,11 @@ std::vector<Command> all_commands(const AppState& state) {
         const std::string within = node.parent && !node.name.empty() ? " in " + paths.at(node.parent) : "";
         commands.push_back({{}, id, title, (title == type ? "" : type) + within});
     }
+    for (const NodeKind kind : {NodeKind::part, NodeKind::shape, NodeKind::operation})
+        add_types(commands, "Add ", types_of(*state.catalog, kind), TypeUse::add);
+    if (state.selection.empty()) return commands;
+    add_types(commands, "Put in ", types_of(*state.catalog, NodeKind::operation), TypeUse::wrap);
+    add_types(commands, "Change to ", types_for(scene, *state.catalog, state.selection.primary()), TypeUse::become);
     return commands;
 }
 
@@ -56,11 +66,15 @@ std::vector<FoundCommand> find_commands(const std::vector<Command>& commands, st
 }
 
 bool enabled(const AppState& state, const Command& command) {
+    if (command.type) return command.use == TypeUse::add || !state.selection.empty();
     return command.action.empty() ? state.document.scene().find(command.node) != nullptr : enabled(state, command.action);
 }
 
 void run(AppState& state, const Command& command) {
     if (!command.action.empty()) return run(state, command.action);
+    if (command.type && command.use == TypeUse::add) return add_node(state, *command.type);
+    if (command.type && command.use == TypeUse::wrap) return wrap_selection(state, *command.type);
+    if (command.type) return void(take(state, change_type(state.document, state.selection.primary(), *command.type)));
     if (!state.document.scene().find(command.node)) return;
     select(state, command.node);
     const Box2 box = bounds_of(state, command.node), seen = state.view.window();

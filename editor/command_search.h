@@ -1,4 +1,5 @@
-// Everything that can be done or gone to, found by a few letters: the actions of the one table, and the nodes of the scene.
+// Everything that can be done or gone to, found by a few letters: the actions of the one table, the nodes of the scene, and what can be added
+// or made of what is selected.
 #pragma once
 #include <string>
 #include <vector>
@@ -7,14 +8,21 @@
 
 namespace pinfield::editor {
 
+/// What a command does with a node type.
+enum class TypeUse : unsigned char { add, wrap, become };
+
+/// One of three: an action, a node to go to, or a type to use.
 struct Command {
-    std::string_view action{};  ///< empty: a node
+    std::string_view action{};
     NodeId node{};
     std::string title{};
-    std::string detail{};       ///< an action's menu; a node's type and path
+    std::string detail{};       ///< an action's menu; a node's type and path; a type's kind
+    const NodeType* type = nullptr;
+    TypeUse use = TypeUse::add;
 };
 
-/// Actions in the order of their table, but for the answers to open questions; then nodes in the order of the file.
+/// Actions in the order of their table, but for the answers to open questions; nodes in the order of the file; types by name, and last what
+/// the selected node could become.
 std::vector<Command> all_commands(const AppState& state);
 
 struct FoundCommand {
@@ -26,7 +34,7 @@ struct FoundCommand {
 std::vector<FoundCommand> find_commands(const std::vector<Command>& commands, std::string_view query);
 
 bool enabled(const AppState& state, const Command& command);
-/// Runs the action; selects the node, and frames it where it is not in the view.
+/// Runs the action; selects the node, and frames it where it is not in the view; adds, wraps or changes.
 void run(AppState& state, const Command& command);
 
 }  // namespace pinfield::editor

@@ -211,7 +211,7 @@ Value HandleDrag::moved_places(const Vec2& hand, double grid) const {
     Value value = before_;
     if (handle_.kind == HandleKind::gap) {
         auto& points = std::get<std::vector<Vec2>>(value);
-        points.insert(points.begin() + handle_.component / 2 + 1, handle_.at);
+        points.insert(points.begin() + handle_.component / 2 + 1, Vec2(on_grid(handle_.at.x(), 0), on_grid(handle_.at.y(), 0)));
     }
     const int first = handle_.component + (handle_.kind == HandleKind::gap ? 2 : 0);
     for (const int axis : {0, 1})

@@ -315,4 +315,20 @@ Outcome change_type(Document& document, NodeId id, const NodeType& type) {
     return commit(document, plan, fmt::format("Change {} to {}", document.scene().path(id), type.key()), {id});
 }
 
+std::vector<const NodeType*> types_of(const Catalog& catalog, NodeKind kind) {
+    std::vector<const NodeType*> out;
+    for (const NodeType& type : catalog.types())
+        if (type.meta.kind == kind) out.push_back(&type);
+    std::sort(out.begin(), out.end(), [](const NodeType* a, const NodeType* b) { return a->key() < b->key(); });
+    return out;
+}
+
+std::vector<const NodeType*> types_for(const Scene& scene, const Catalog& catalog, NodeId id) {
+    const Node* node = scene.find(id);
+    if (!node || node->is_record()) return {};
+    std::vector<const NodeType*> out = types_of(catalog, node->type->meta.kind);
+    std::erase_if(out, [&](const NodeType* type) { return type == node->type || why_invalid(scene, Edit(retyped(scene, id, *type))); });
+    return out;
+}
+
 }  // namespace pinfield::editor

@@ -77,4 +77,8 @@ Outcome move_nodes(Document& document, std::span<const NodeId> nodes, const Spot
 Outcome rename_node(Document& document, NodeId node, const std::string& name);
 Outcome change_type(Document& document, NodeId node, const NodeType& type);
 
+/// The types of a kind, by name; and those that a node can become with what it holds.
+std::vector<const NodeType*> types_of(const Catalog& catalog, NodeKind kind);
+std::vector<const NodeType*> types_for(const Scene& scene, const Catalog& catalog, NodeId node);
+
 }  // namespace pinfield::editor

@@ -107,10 +107,11 @@ bool row(const AppState& state, const Theme& theme, CommandPalette& palette, std
     const bool can = enabled(state, command);
     if (palette.chosen == index) list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink(palette::accent_deep), theme.px(4));
     const Node* node = state.document.scene().find(command.node);
-    if (node) draw_icon(list, icon_of(*node->type), {place.x + theme.px(16), place.y + 0.5f * size.y}, theme.px(14), ink(color_of(*node->type)));
+    const NodeType* type = node ? node->type : command.type;
+    if (type) draw_icon(list, icon_of(*type), {place.x + theme.px(16), place.y + 0.5f * size.y}, theme.px(14), ink(color_of(*type)));
     const float y = place.y + 0.5f * (size.y - ImGui::GetFontSize()), small_y = place.y + 0.5f * (size.y - theme.small->FontSize);
     float right = place.x + size.x - theme.px(10);
-    const std::string shortcut(node ? "" : find_action(command.action)->shortcut);
+    const std::string shortcut(type ? "" : find_action(command.action)->shortcut);
     if (!shortcut.empty()) {
         right -= ImGui::CalcTextSize(shortcut.c_str()).x;
         list.AddText({right, y}, ink(can ? palette::quiet : disabled), shortcut.c_str());

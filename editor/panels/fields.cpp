@@ -1,5 +1,7 @@
 #include "editor/panels/fields.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -108,8 +110,8 @@ Shown shown(double value, Unit unit) {
     const auto hundredths = [](double x) { return to_text(std::round(100 * x) / 100 + 0.0); };  // + 0.0: never "-0"
     switch (unit) {
         case Unit::metre:
-            // What is far below a hundredth of a millimetre (a tolerance) keeps its own digits.
-            if (value != 0 && std::fabs(value) < 1e-5) return {to_text(1000 * value), "mm"};
+            // What is far below a hundredth of a millimetre (a tolerance) keeps its own digits; the thousand must not add any.
+            if (value != 0 && std::fabs(value) < 1e-5) return {fmt::format("{:.12g}", 1000 * value), "mm"};
             return {hundredths(1000 * value), "mm"};
         case Unit::degree: return {hundredths(value), "\u00b0"};
         case Unit::none: return {to_text(value), ""};

@@ -19,6 +19,10 @@ bool contains_word(std::string_view text, std::string_view word) {
     return std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
+bool is_found(const Node& node, std::string_view filter) {
+    return contains_word(title_of(node), filter) || contains_word(node.type->key(), filter);
+}
+
 /// Draws the tree row by row and notes what was clicked.
 class Tree {
 public:
@@ -45,7 +49,7 @@ public:
         } else {
             for (const NodeId id : scene_.all()) {
                 const Node& node = *scene_.find(id);
-                if (contains_word(title_of(node), ui_.filter) || contains_word(node.type->key(), ui_.filter)) row(node, 0, false);
+                if (is_found(node, ui_.filter)) row(node, 0, false);
             }
         }
         if (reveal_) ui_.revealed = state_.selection.primary();
@@ -274,17 +278,30 @@ void row_menu(AppState& state, Ui& ui) {
     ImGui::EndPopup();
 }
 
-void filter_box(Ui& ui) {
+/// Enter goes to the first node that was found.
+void select_found(AppState& state, Ui& ui) {
+    const Scene& scene = state.document.scene();
+    const std::vector<NodeId> all = scene.all();
+    const auto found = std::find_if(all.begin(), all.end(), [&](NodeId id) { return is_found(*scene.find(id), ui.filter); });
+    if (ui.filter.empty() || found == all.end()) return;
+    select(state, *found);
+    ui.filter.clear();
+}
+
+void filter_box(AppState& state, Ui& ui) {
     const Theme& theme = ui.theme;
     const ImVec2 place = ImGui::GetCursorScreenPos();
     ImGui::SetNextItemWidth(-1);
+    if (std::exchange(state.find_node, false)) ImGui::SetKeyboardFocusHere();
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(theme.px(28), theme.px(5)));
     char buffer[128] = {};
     ui.filter.copy(buffer, sizeof buffer - 1);
-    if (ImGui::InputTextWithHint("##filter", "Find a node", buffer, sizeof buffer)) ui.filter = buffer;
+    const bool entered = ImGui::InputTextWithHint("##filter", "Find a node", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue);
+    ui.filter = buffer;
     ImGui::PopStyleVar();
     draw_icon(*ImGui::GetWindowDrawList(), Icon::search, {place.x + theme.px(15), place.y + 0.5f * ImGui::GetItemRectSize().y},
               theme.px(14), ink(palette::quiet));
+    if (entered) select_found(state, ui);
 }
 
 }  // namespace
@@ -292,7 +309,7 @@ void filter_box(Ui& ui) {
 void hierarchy_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const Theme& theme = ui.theme;
     begin_region("##hierarchy", position, size, palette::panel, {theme.px(8), theme.px(8)});
-    filter_box(ui);
+    filter_box(state, ui);
     ImGui::BeginChild("##tree", {0, 0}, false, ImGuiWindowFlags_NoNav);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     Tree(state, ui).draw();

@@ -1,20 +1,9 @@
 // Menus about nodes, wherever they open: what can be added, what the selection can be put into, what it can become.
-#include <algorithm>
-
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
 
 namespace pinfield::editor {
 namespace {
-
-/// Every node type of these kinds, by name.
-std::vector<const NodeType*> types_of(const Catalog& catalog, NodeKind kind) {
-    std::vector<const NodeType*> out;
-    for (const NodeType& type : catalog.types())
-        if (type.meta.kind == kind) out.push_back(&type);
-    std::sort(out.begin(), out.end(), [](const NodeType* a, const NodeType* b) { return a->key() < b->key(); });
-    return out;
-}
 
 /// A row of the menu for a node type, with its documentation; whether it was chosen.
 bool type_item(const Theme& theme, const NodeType& type) {
@@ -23,15 +12,11 @@ bool type_item(const Theme& theme, const NodeType& type) {
     return chosen;
 }
 
-/// The types that the selected node can become with what it holds.
 void change_type_menu(AppState& state, const Theme& theme) {
-    const Node* node = state.document.scene().find(state.selection.primary());
+    const NodeId id = state.selection.primary();
+    const Node* node = state.document.scene().find(id);
     if (!node || node->is_record() || !ImGui::BeginMenu("Change to")) return;
-    const NodeId id = node->id;
-    for (const NodeType* type : types_of(*state.catalog, node->type->meta.kind)) {
-        if (type == state.document.scene().find(id)->type) continue;
-        const Edit edit = retyped(state.document.scene(), id, *type);
-        if (why_invalid(state.document.scene(), edit)) continue;
+    for (const NodeType* type : types_for(state.document.scene(), *state.catalog, id)) {
         if (!type_item(theme, *type)) continue;
         take(state, change_type(state.document, id, *type));
         break;

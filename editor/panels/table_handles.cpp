@@ -91,6 +91,11 @@ void draw_words(const Theme& theme, ImDrawList& list, ImVec2 beside, const std::
     list.AddText(place, ink(color), text.c_str());
 }
 
+bool is_too_small(const AppState& state, NodeId node) {
+    const Box2 box = bounds_of(state, node);
+    return box.is_finite() && box.size().maxCoeff() * state.view.pixels_per_metre < least_pixels;
+}
+
 }  // namespace
 
 void look_for_handles(const AppState& state, Ui& ui) {
@@ -108,10 +113,13 @@ void look_for_handles(const AppState& state, Ui& ui) {
 }
 
 int handle_under_mouse(const AppState& state, const Ui& ui) {
-    if (!state.document.scene().find(ui.handles.node)) return -1;
+    if (!state.document.scene().find(ui.handles.node) || is_too_small(state, ui.handles.node)) return -1;
     const Similarity world_from_node = shown_from_local(state, ui.handles.node);
     int best = -1;
+    // Nearer to the middle of the node the hand means the node: a small one could not be moved otherwise.
     double nearest = grip_pixels * ui.theme.scale;
+    const Box2 box = bounds_of(state, ui.handles.node);
+    if (box.is_finite()) nearest = std::min(nearest, length(state.view.pixel_from_world(box.centre()) - ui.mouse) + 1e-3);
     for (std::size_t i = 0; i < ui.handles.all.size(); ++i) {
         const double distance = length(state.view.pixel_from_world(world_from_node * ui.handles.all[i].at) - ui.mouse);
         if (distance >= nearest) continue;
@@ -142,8 +150,7 @@ void draw_handles(const AppState& state, const Ui& ui, ImDrawList& list) {
     const Node* node = state.document.scene().find(ui.handles.node);
     if (!node || ui.handles.all.empty()) return;
     const Similarity world_from_node = shown_from_local(state, node->id);
-    const Box2 box = bounds_of(state, node->id);
-    if (box.is_finite() && box.size().maxCoeff() * state.view.pixels_per_metre < least_pixels) return;
+    if (is_too_small(state, node->id)) return;
     const bool dragging = ui.handle_drag.active();
     const int hot = ui.viewport_hovered && !dragging ? handle_under_mouse(state, ui) : -1;
     const auto is_dragged = [&](const Handle& handle) {

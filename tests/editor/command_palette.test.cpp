@@ -89,11 +89,11 @@ TEST_CASE("every action but the answers to open questions is a command, and so i
 TEST_CASE("a few letters find commands, ids, types and places") {
     const Folder folder;
     const AppState state = opened_state(folder);
-    CHECK(titles(state, "undo") == Titles{"Undo"});
+    CHECK(titles(state, "undo", 1) == Titles{"Undo"});
     CHECK(titles(state, "save as", 1) == Titles{"Save As..."});
     CHECK(titles(state, "dup", 1) == Titles{"Duplicate"});
     CHECK(titles(state, "post", 1) == Titles{"post"});
-    CHECK(titles(state, "bumper") == Titles{"pop"});
+    CHECK(titles(state, "bumper", 2) == Titles{"Add bumper", "pop"});
     CHECK(titles(state, "circle corner") == Titles{"post", "nail"});
     CHECK(titles(state, "domain box", 1) == Titles{"domain[0]/box[0]"});
     CHECK(titles(state, "rubber", 1) == Titles{"rubber"});
@@ -170,4 +170,22 @@ TEST_CASE("a click takes a row, a click elsewhere leaves") {
         desk.frame();
     }
     CHECK_FALSE(desk.state().show_command_palette);
+}
+
+TEST_CASE("a few letters add a node, put what is selected into an operator, and make it one of another type") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    const auto take_first = [&](std::string_view query) {
+        const std::vector<Command> commands = all_commands(state);
+        run(state, commands[find_commands(commands, query).at(0).index]);
+    };
+    take_first("add star");
+    CHECK(state.document.scene().find(state.selection.primary())->type->key() == "star");
+    select(state, id_of(state.document, "shelf"));
+    take_first("put in smooth union");
+    CHECK(state.document.scene().find(state.selection.primary())->type->key() == "smooth_union");
+    select(state, id_of(state.document, "shelf"));
+    take_first("change to ellipse");
+    CHECK(state.document.scene().find(id_of(state.document, "shelf"))->type->key() == "ellipse");
+    CHECK(state.document.undo_steps() == 3);
 }

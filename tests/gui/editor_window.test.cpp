@@ -1,67 +1,20 @@
 // The real editor, window and all, driven by scripts as a user's hands would drive it. Needs a display.
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "tests/places.h"
+#include "tests/gui/real_editor.h"
+
+using namespace pinfield::test;
 
 namespace {
-
-namespace fs = std::filesystem;
-
-std::string read(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::ostringstream out;
-    out << file.rdbuf();
-    return out.str();
-}
-
-void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) lines.push_back(line);
     return lines;
-}
-
-/// A folder of its own with a copy of the first table, gone at the end.
-struct Workplace {
-    fs::path folder;
-    explicit Workplace(const std::string& name) : folder(fs::temp_directory_path() / ("pinfield_gui_" + name)) {
-        fs::remove_all(folder);
-        fs::create_directories(folder);
-        fs::copy_file(fs::path(pinfield::test::source_dir()) / "scenes/tables/first_table.yaml", table());
-    }
-    ~Workplace() { fs::remove_all(folder); }
-    fs::path table() const { return folder / "table.yaml"; }
-    fs::path in(const std::string& name) const { return folder / name; }
-};
-
-struct Outcome {
-    int code = -1;
-    std::string said;  ///< stdout and stderr
-};
-
-/// `after`: shell code behind the editor's command.
-Outcome run_editor(const Workplace& place, const std::string& arguments, const std::string& after = {}) {
-    const fs::path log = place.in("log.txt");
-    const std::string command = "cd '" + place.folder.string() + "' || exit; '" + pinfield::test::bin_dir() + "/pinfield-editor' " + arguments +
-                                " > '" + log.string() + "' 2>&1" + after;
-    const int status = std::system(command.c_str());
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(log)};
-}
-
-
-Outcome run_script(const Workplace& place, const std::string& steps) {
-    write(place.in("steps.yaml"), steps);
-    return run_editor(place, "table.yaml --script steps.yaml --size 1280x800");
 }
 
 /// Lines of `after` that differ from `before`; both must have the same number of lines.
@@ -77,18 +30,18 @@ std::vector<std::string> changed_lines(const std::string& before, const std::str
 }  // namespace
 
 TEST_CASE("the editor opens a table, runs some frames, leaves a picture and exits") {
-    const Workplace place("frames");
+    const Workplace place;
     const Outcome outcome = run_editor(place, "table.yaml --frames 20 --size 1280x800 --screenshot shot.png");
     INFO(outcome.said);
     REQUIRE(outcome.code == 0);
     const std::string png = read(place.in("shot.png"));
     CHECK(png.substr(1, 3) == "PNG");
     CHECK(png.size() > 20'000);
-    CHECK(read(place.table()) == read(fs::path(pinfield::test::source_dir()) / "scenes/tables/first_table.yaml"));
+    CHECK(read(place.table()) == read(fs::path(source_dir()) / "scenes/tables/first_table.yaml"));
 }
 
 TEST_CASE("dragging a bumper with the mouse while balls roll, then saving, changes one line of the file") {
-    const Workplace place("drag");
+    const Workplace place;
     const std::string before = read(place.table());
     const Outcome outcome = run_script(place, R"(
 - {key: {press: Space, ticks: 700}}
@@ -108,7 +61,7 @@ TEST_CASE("dragging a bumper with the mouse while balls roll, then saving, chang
 }
 
 TEST_CASE("a drag that is undone leaves nothing to save") {
-    const Workplace place("undo");
+    const Workplace place;
     const std::string before = read(place.table());
     const Outcome outcome = run_script(place, R"(
 - {drag: {from: [0.300, 0.800], to: [0.320, 0.790]}}
@@ -123,7 +76,7 @@ TEST_CASE("a drag that is undone leaves nothing to save") {
 }
 
 TEST_CASE("the same script leaves the same picture, whatever the clock says") {
-    const Workplace place("same");
+    const Workplace place;
     const std::string steps =
         "- {key: {press: Space, ticks: 700}}\n- {wait: {ticks: 1500}}\n- {action: view.isolines}\n- {screenshot: a.png}\n";
     REQUIRE(run_script(place, steps).code == 0);
@@ -134,7 +87,7 @@ TEST_CASE("the same script leaves the same picture, whatever the clock says") {
 }
 
 TEST_CASE("a script's failing step is named and the exit code is 1") {
-    const Workplace place("fail");
+    const Workplace place;
     const Outcome outcome = run_script(place, "- {wait: {ticks: 10}}\n- {expect: {node: pop_top, field: radius, value: 99mm}}\n");
     INFO(outcome.said);
     CHECK(outcome.code == 1);
@@ -142,7 +95,7 @@ TEST_CASE("a script's failing step is named and the exit code is 1") {
 }
 
 TEST_CASE("wrong command lines are 2 and files that are not there are 3") {
-    const Workplace place("usage");
+    const Workplace place;
     CHECK(run_editor(place, "--no-such-flag").code == 2);
     CHECK(run_editor(place, "table.yaml --frames 1 --size big").code == 2);
     CHECK(run_editor(place, "nowhere.yaml --frames 1").code == 3);
@@ -151,7 +104,7 @@ TEST_CASE("wrong command lines are 2 and files that are not there are 3") {
 }
 
 TEST_CASE("an editor that is killed in the middle of its work offers it at the next start; Enter restores it, and it can be saved") {
-    const Workplace place("killed");
+    const Workplace place;
     const std::string before = read(place.table());
     write(place.in("edit.yaml"), R"(
 - {drag: {from: [0.300, 0.800], to: [0.312, 0.810]}}
