@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "engine/core/at.h"
+#include "engine/game/starts.h"
 #include "engine/program/compile.h"
 #include "engine/program/patch.h"
 #include "engine/program/pose.h"
-#include "engine/program/distance_quality.h"
 
 namespace pinfield::editor {
 namespace {
@@ -30,7 +30,7 @@ Session::Session(const Document& document) {
         stale_ = true;
     }
     start(program ? *program : empty_program(document.scene()), parents_of(document.scene()));
-    if (program) problems_ = warnings_of(**program, document.scene());
+    if (program) problems_ = doubts_of(**program, document.scene());
 }
 
 void Session::start(ProgramPtr program, NodeParents parents) {
@@ -78,7 +78,7 @@ void Session::follow(Document& document) {
 }
 
 void Session::judge(const Scene& scene) {
-    problems_ = warnings_of(program(), scene);
+    problems_ = doubts_of(program(), scene);
     left_ = game_->free_balls();
 }
 

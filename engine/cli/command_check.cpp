@@ -5,6 +5,7 @@
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
+#include "engine/game/starts.h"
 #include "engine/program/compile.h"
 #include "engine/program/distance_quality.h"
 #include "engine/scene/catalog.h"
@@ -98,7 +99,7 @@ Findings findings_of(const Reading& loaded, bool with_notes) {
     Findings out{loaded.diagnostics, {}};
     if (!loaded.ok()) return out;
     const auto program = compile(loaded.scene);
-    const Diagnostics more = program ? warnings_of(**program, loaded.scene) : program.error();
+    const Diagnostics more = program ? doubts_of(**program, loaded.scene) : program.error();
     out.diagnostics.insert(out.diagnostics.end(), more.begin(), more.end());
     if (program && with_notes) out.notes = notes_of(**program, loaded.scene);
     return out;

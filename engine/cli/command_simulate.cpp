@@ -15,6 +15,7 @@
 #include "engine/core/at.h"
 #include "engine/core/hash.h"
 #include "engine/game/simulation.h"
+#include "engine/game/starts.h"
 #include "engine/physics/scatter.h"
 
 namespace pinfield::cli {
@@ -88,6 +89,8 @@ World world_of(const Table& table, const Options& options) {
     for (const std::string& text : options.launches) {
         Launch launch;
         why_invalid_launch(text, &launch);
+        if (const auto found = impossible_start(*table.program, table.scene, launch.at, ground_layer, {}))
+            throw Stop{ExitCode::wrong, fmt::format("--launch {}: {}{}{}\n", text, found->message, found->hint.empty() ? "" : "; ", found->hint)};
         world.add_ball(launch.at, launch.velocity);
     }
     if (!options.balls && options.launches.empty()) world.add_spawned_balls();

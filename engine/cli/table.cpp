@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "engine/cli/command.h"
+#include "engine/game/starts.h"
 #include "engine/program/compile.h"
-#include "engine/program/distance_quality.h"
 #include "engine/scene/catalog.h"
 
 namespace pinfield::cli {
@@ -24,7 +24,7 @@ Table open_table(const std::string& path) {
     if (!loaded.ok()) throw Stop{ExitCode::wrong, found};
     const auto program = compile(loaded.scene);
     if (!program) throw Stop{ExitCode::wrong, found + text_of(program.error(), loaded.scene.sources)};
-    fmt::print(stderr, "{}{}", found, text_of(warnings_of(**program, loaded.scene), loaded.scene.sources));
+    fmt::print(stderr, "{}{}", found, text_of(doubts_of(**program, loaded.scene), loaded.scene.sources));
     return {std::move(loaded.scene), *program};
 }
 

@@ -78,6 +78,10 @@ constexpr std::array codes{
     ErrorCode{"W0503", "offset_of_bound", "round, inset or onion of a distance that is only a bound"},
     ErrorCode{"W0504", "idle_field", "a field that does nothing beside the node's other values"},
     ErrorCode{"W0505", "untouched_layer", "a solid on a layer that no ball is on"},
+    ErrorCode{"W0506", "start_in_solid", "a ball that is to start would overlap something solid"},
+    ErrorCode{"W0507", "start_outside", "a ball is to start where the domain says that none may be"},
+    ErrorCode{"W0508", "start_in_drain", "a ball is to start in a drain"},
+    ErrorCode{"W0509", "ball_too_large", "a ball is too large for the whole table"},
 
     ErrorCode{"E0601", "unknown_step", "no such step in an editor script"},
 };

@@ -80,6 +80,10 @@ enum class Code : unsigned char {
     offset_of_bound,
     idle_field,
     untouched_layer,
+    start_in_solid,
+    start_outside,
+    start_in_drain,
+    ball_too_large,
 
     unknown_step,
 };

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "engine/core/at.h"
-#include "engine/program/evaluate.h"
+#include "engine/physics/start.h"
 
 namespace pinfield {
 
@@ -13,14 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;  // for the report only; nothing in the simulation reads it
 
 bool escaped(const Program& program, const Ball& ball, double distance) {
-    if (distance < -program.physics.ball_radius) return true;
-    if (distance >= 0) return false;
-    const std::vector<Solid>& solids = program.fixed.solids;
-    for (std::size_t s = 0; s < solids.size(); ++s)
-        if (solids[s].is_domain && (solids[s].layers & ball.layer) &&
-            nearest_of_solid(program.fixed, static_cast<int>(s), ball.position).distance < 0)
-            return true;
-    return false;
+    return distance < -program.physics.ball_radius || (distance < 0 && is_outside(program, ball.position, ball.layer));
 }
 
 /// Everything that is judged at the end of a tick.

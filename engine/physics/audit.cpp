@@ -113,7 +113,22 @@ double overlap_of_balls(const World& world) {
 
 void Auditor::after_tick(const World& world) {
     for (const PathSegment& path : world.paths()) check(world, path);
+    check_places(world);
     if (world.balls_collide()) check_pairs(world);
+}
+
+/// Where the tick leaves the balls: one that stands has no path, and one may have been moved by place.
+void Auditor::check_places(const World& world) {
+    const double r = world.program().physics.ball_radius;
+    q_.clear();
+    for (const MoverState& s : world.movers()) q_.push_back(s.q);
+    for (const Ball& ball : world.balls()) {
+        if (!is_on_table(ball)) continue;
+        const double distance = gap_at(world.program(), q_, ball.position, ball.layer, 2 * r).distance;
+        report_.worst_depth = std::max(report_.worst_depth, r - distance);
+        const auto has_path = [&](const PathSegment& path) { return path.ball == ball.id; };
+        if (distance < 0 && std::none_of(world.paths().begin(), world.paths().end(), has_path)) ++report_.crossings;
+    }
 }
 
 void Auditor::check_pairs(const World& world) {

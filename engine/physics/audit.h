@@ -8,9 +8,9 @@ namespace pinfield {
 
 struct AuditReport {
     std::int64_t segments = 0;
-    double worst_depth = 0;       ///< metres by which a ball overlapped a solid, at any sample
+    double worst_depth = 0;       ///< metres by which a ball overlapped a solid, at any sample and at the end of any tick
     double worst_overlap = 0;     ///< metres by which two balls overlapped, at any time
-    std::int64_t crossings = 0;   ///< segments that ended on the other side of a solid, or had their centre inside one
+    std::int64_t crossings = 0;   ///< segments that ended on the other side of a solid, or had their centre inside one; balls that stood there
 };
 
 /// Metres by which any two balls in play overlap now; 0 where they do not, or ignore each other.
@@ -27,6 +27,7 @@ public:
 
 private:
     void check(const World& world, const PathSegment& path);
+    void check_places(const World& world);
     void check_pairs(const World& world);
 
     double spacing_;

@@ -17,7 +17,7 @@ struct Event {
     double time = 0;        ///< seconds since the start
     EventKind kind = EventKind::hit;
     BallId ball;            ///< none for events without a ball
-    NodeId node;            ///< what was hit: the part's scene node, or where there is none the winning leaf's; none for ball_hit, quarantine, held_back
+    NodeId node;            ///< what was hit: the part's scene node, or where there is none the winning leaf's; none for ball_hit, quarantine. held_back: what is where the ball starts; none: a ball
     Vec2 position{0, 0};    ///< contact point, or the ball's centre
     Vec2 normal{0, 0};      ///< unit, from the surface to the ball
     /// m/s. hit, ball_hit: normal approach speed. kick: what the part adds along the normal. end_stop: of the part's farthest point as it

@@ -1,9 +1,12 @@
-// Rings about the ball, the narrowest first; then a bisection back towards the ball.
+// Rings about the place, the narrowest first; then a bisection back towards it.
 #include "engine/physics/free_place.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "engine/core/trig.h"
+#include "engine/physics/start.h"
+#include "engine/program/evaluate.h"
 
 namespace pinfield {
 namespace {
@@ -11,26 +14,35 @@ namespace {
 constexpr int directions = 64;
 constexpr double rings_per_radius = 6;
 
-bool is_free(const World& world, const Ball& ball, const Vec2& p) {
-    const PhysicsRecord& physics = world.program().physics;
-    const double r = physics.ball_radius, touch = r + 0.5 * physics.tolerance;
-    if (gap_at(world, p, ball.layer).distance < touch) return false;
-    const auto meets = [&](const Ball& other) { return other.id != ball.id && is_on_table(other) && share_layer(ball, other) && length(other.position - p) < r + touch; };
-    return std::none_of(world.balls().begin(), world.balls().end(), meets);
-}
+/// Metres to the nearest solid where a ball may be; nothing where it may not.
+using Room = std::function<std::optional<double>(const Vec2&)>;
 
 /// The free place of a ring that is deepest in the open, or nothing.
-std::optional<Vec2> on_ring(const World& world, const Ball& ball, double radius) {
+std::optional<Vec2> on_ring(const Room& room_at, const Vec2& centre, double radius) {
     std::optional<Vec2> best;
     double most = -infinity;
     for (int i = 0; i < directions; ++i) {
         const SineCosine turn = sine_cosine_degrees(360.0 * i / directions);
-        const Vec2 p = ball.position + radius * Vec2(turn.cosine, turn.sine);
-        if (!is_free(world, ball, p)) continue;
-        const double room = gap_at(world, p, ball.layer).distance;
-        if (room > most) most = room, best = p;
+        const Vec2 p = centre + radius * Vec2(turn.cosine, turn.sine);
+        const std::optional<double> room = room_at(p);
+        if (room && *room > most) most = *room, best = p;
     }
     return best;
+}
+
+std::optional<Vec2> nearest_free(const Room& room_at, const Vec2& centre, double ball_radius, double reach) {
+    const double step = ball_radius / rings_per_radius;
+    for (int ring = 1; ring * step <= reach; ++ring) {
+        const std::optional<Vec2> found = on_ring(room_at, centre, ring * step);
+        if (!found) continue;
+        double blocked = 0, open = 1;  // of the way there
+        for (int i = 0; i < 20; ++i) {
+            const double middle = 0.5 * (blocked + open);
+            (room_at(centre + middle * (*found - centre)) ? open : blocked) = middle;
+        }
+        return centre + open * (*found - centre);
+    }
+    return {};
 }
 
 }  // namespace
@@ -43,18 +55,26 @@ double overlap_of(const World& world, const Ball& ball) {
 }
 
 std::optional<Vec2> free_place(const World& world, const Ball& ball, double reach) {
-    const double step = world.program().physics.ball_radius / rings_per_radius;
-    for (int ring = 1; ring * step <= reach; ++ring) {
-        const std::optional<Vec2> found = on_ring(world, ball, ring * step);
-        if (!found) continue;
-        double blocked = 0, open = 1;  // of the way there
-        for (int i = 0; i < 20; ++i) {
-            const double middle = 0.5 * (blocked + open);
-            (is_free(world, ball, ball.position + middle * (*found - ball.position)) ? open : blocked) = middle;
-        }
-        return ball.position + open * (*found - ball.position);
-    }
-    return {};
+    const PhysicsRecord& physics = world.program().physics;
+    const double r = physics.ball_radius, touch = r + 0.5 * physics.tolerance;
+    const Room room_at = [&](const Vec2& p) -> std::optional<double> {
+        const double room = gap_at(world, p, ball.layer).distance;
+        if (room < touch) return {};
+        const auto meets = [&](const Ball& other) {
+            return other.id != ball.id && is_on_table(other) && share_layer(ball, other) && length(other.position - p) < r + touch;
+        };
+        if (std::any_of(world.balls().begin(), world.balls().end(), meets)) return {};
+        return room;
+    };
+    return nearest_free(room_at, ball.position, r, reach);
+}
+
+std::optional<Vec2> free_start(const Program& program, const Vec2& near, LayerMask layers, double reach) {
+    const Room room_at = [&](const Vec2& p) -> std::optional<double> {
+        if (start_at(program, p, layers).hindrance != Hindrance::none) return {};
+        return nearest(program.fixed, p, layers).distance;
+    };
+    return nearest_free(room_at, near, program.physics.ball_radius, reach);
 }
 
 }  // namespace pinfield

@@ -1,4 +1,4 @@
-// Where a ball fits that an edit has put into something solid.
+// Where there is room for a ball: for one that an edit has put into something solid, and for one that cannot start where it should.
 #pragma once
 #include <optional>
 
@@ -6,10 +6,14 @@
 
 namespace pinfield {
 
-/// How deep a ball is in what is solid for it, beyond what a touching one may be, metres: 0 when it is not, or is out of play.
+/// Metres by which a ball in play overlaps solids or movers now; 0 when it does not.
 double overlap_of(const World& world, const Ball& ball);
 
-/// The nearest place, to a millimetre or so, where the ball touches nothing solid and no other ball; nothing within `reach` metres.
+/// The place nearest to the ball where it neither overlaps anything solid nor another ball, as found along rings around it: to within a
+/// sixth of its radius and six degrees. None within `reach` metres: nothing.
 std::optional<Vec2> free_place(const World& world, const Ball& ball, double reach);
+
+/// The same around any place, for a ball that is to start there while movers are at rest.
+std::optional<Vec2> free_start(const Program& program, const Vec2& near, LayerMask layers, double reach);
 
 }  // namespace pinfield

@@ -23,8 +23,8 @@ struct BallMemory {
     SurfaceRef slide;             ///< on which it last stopped bouncing
     std::int64_t slide_tick = -2; ///< when
     bool embedded = false;        ///< an edit put it into a solid, and it is being moved out
-    bool waiting = false;         ///< to be put back as soon as no mover and no ball stands where it starts
-    bool held_back = false;       ///< by another ball, and that was told
+    bool waiting = false;         ///< to be put back as soon as it can start where it does
+    bool held_back = false;       ///< by something that stays there or another ball, and that was told
     int quiet_ticks = 0;          ///< for how long it has hardly moved, in a pile
 };
 

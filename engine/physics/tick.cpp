@@ -243,7 +243,9 @@ void depenetrate(WorldState& w, std::size_t i) {
         return;
     }
     const Vec2 n = gap.gradient / size;
-    ball.position += std::min(missing, depenetration_speed * h) * n;
+    const Vec2 moved = std::min(missing, depenetration_speed * h) * n;
+    if (w.recording) w.paths.push_back({ball.id, w.start_time(), h, ball.position, moved / h, {0, 0}});
+    ball.position += moved;
     const double into = dot(n, ball.velocity);
     if (into < 0) ball.velocity -= into * n;
     if (w.physics.integrator == Integrator::symplectic_euler) ball.velocity -= h * w.physics.gravity;  // held: no weight yet

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/at.h"
+#include "engine/physics/start.h"
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/parts.h"
@@ -63,6 +64,27 @@ bool start_is_taken(const WorldState& w, std::size_t i) {
     for (std::size_t j = 0; w.options.balls_collide && j < w.balls.size(); ++j)
         if (j != i && w.in_play(j) && share_layer(w.balls[i], w.balls[j]) && length(w.balls[j].position - w.balls[i].start_position) < touch) return true;
     return false;
+}
+
+/// What a ball has to wait for before it can start: `start`, or another ball.
+struct Wait {
+    Start start;
+    bool by_ball = false;
+    explicit operator bool() const { return by_ball || start.hindrance != Hindrance::none; }
+};
+
+Wait wait_of(const WorldState& w, std::size_t i) {
+    const Ball& ball = w.balls[i];
+    Wait wait{start_at(w.program(), places(w), ball.start_position, ball.layer), start_is_taken(w, i)};
+    if (wait) return wait;
+    for (std::size_t m = 0; m < w.movers.size(); ++m) {  // one that moves is to be clear of it
+        if (stands(w, static_cast<int>(m))) continue;
+        const Mover& mover = w.program().movers[m];
+        const Vec2 seen = pose_of(mover, w.movers[m].q).place_from_world(ball.start_position);
+        const double touch = w.physics.ball_radius + w.band.target();
+        if (nearest(mover.field, seen, ball.layer, touch).distance < touch) wait.start = {Hindrance::mover, {}, 0, static_cast<int>(m)};
+    }
+    return wait;
 }
 
 std::size_t index_of(const WorldState& w, BallId id) {
@@ -130,13 +152,13 @@ PreparedProgram::PreparedProgram(ProgramPtr from)
 void try_put_back(WorldState& w, std::size_t i) {
     Ball& ball = w.balls[i];
     if (ball.spawn >= 0) ball.layer = at(w.program().parts, ball.spawn).layers;
-    const Gap gap = gap_at(w.program(), places(w), ball.start_position, ball.layer, 2 * w.physics.ball_radius);
-    const bool by_mover = gap.mover >= 0 && gap.distance < w.physics.ball_radius + w.band.target(), by_ball = start_is_taken(w, i);
-    if (by_ball && w.memories[i].waiting && !w.memories[i].held_back) {  // in a tick, where events are told
-        w.events.push_back({w.tick, w.start_time(), EventKind::held_back, ball.id, {}, ball.start_position, {0, 0}, 0});
+    const Wait wait = wait_of(w, i);
+    const bool tells = wait && (wait.by_ball || wait.start.hindrance != Hindrance::mover);
+    if (tells && w.memories[i].waiting && !w.memories[i].held_back) {  // in a tick, where events are told
+        w.events.push_back({w.tick, w.start_time(), EventKind::held_back, ball.id, wait.start.node, ball.start_position, {0, 0}, 0});
         w.memories[i].held_back = true;
     }
-    w.memories[i].waiting = by_mover || by_ball;
+    w.memories[i].waiting = static_cast<bool>(wait);
     if (!w.memories[i].waiting) place_ball(w, i, ball.start_position, ball.start_velocity);
 }
 
@@ -194,7 +216,7 @@ void World::add_spawned_balls() {
         state_->balls[i].spawn = static_cast<int>(k);
         state_->balls[i].layer = part.layers;
         check_embedded(*state_, i);
-        if (!start_is_taken(*state_, i)) continue;
+        if (!wait_of(*state_, i)) continue;
         state_->balls[i].state = BallState::drained;
         state_->memories[i] = {};
         state_->memories[i].waiting = true;

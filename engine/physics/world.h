@@ -71,10 +71,10 @@ public:
     bool set_input(int input, double value);
     /// Adds a ball; it starts again here after a drain when put back.
     BallId add_ball(const Vec2& position, const Vec2& velocity, double spin = 0);
-    /// Adds one ball per spawn of the table. One whose place is taken by another ball is held back like one that is put back.
+    /// Adds one ball per spawn of the table. One that cannot start there is held back like one that is put back.
     void add_spawned_balls();
-    /// Puts a drained ball back where it started; when a mover or another ball stands there, at the start of the first tick in which
-    /// none does. An event tells that a ball is held back by another.
+    /// Puts a drained ball back where it started, or, where it cannot be (start.h) or another ball is, at the start of the first tick in
+    /// which it can. An event tells that a ball is held back, and by what; not of movers, which come and go.
     void put_back(BallId ball);
     /// Moves a ball (the editor's throw). Balls that overlap then move apart at bounded speed, without energy.
     void set_ball(BallId ball, const Vec2& position, const Vec2& velocity);

@@ -6,6 +6,7 @@
 #include "engine/core/error_codes.h"
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
+#include "engine/scene/parts/spawn.h"
 
 namespace pinfield {
 namespace {
@@ -58,10 +59,12 @@ void add_warnings(const Field& field, const Scene& scene, Diagnostics& out) {
     }
 }
 
-/// Balls start on the ground and nothing takes them elsewhere: each other layer is reported once, with the first solid on it. A domain
-/// bounds its layer and is no obstacle.
+/// Balls are where they start, on the ground or on a spawn's layers, and nothing takes them elsewhere: each other layer is reported once,
+/// with the first solid on it. A domain bounds its layer and is no obstacle.
 void add_untouched_layers(const Program& program, const Scene& scene, Diagnostics& out) {
     LayerMask reported = ground_layer;
+    for (const Part& part : program.parts)
+        if (part.is<parts::Spawn>()) reported |= part.layers;
     for_each_field(program, [&](const Field& field) {
         for (const Solid& solid : field.solids) {
             const Node* node = scene.find(solid.origin);
@@ -73,7 +76,7 @@ void add_untouched_layers(const Program& program, const Scene& scene, Diagnostic
             out.push_back(
                 diagnose(Code::untouched_layer, node->key,
                          fmt::format("no ball is ever on layer {}: nothing touches this {}", fmt::join(names, ", "), node->type->key()),
-                         fmt::format("balls are on layer {}, where nodes are that name none", program.layers[0])));
+                         fmt::format("balls are where spawns are, and on layer {}, where nodes are that name none", program.layers[0])));
         }
     });
 }

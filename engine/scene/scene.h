@@ -54,6 +54,7 @@ struct InputBinding {
 struct TableTest {
     struct Launch {
         Vec2 at{0, 0}, velocity{0, 0};
+        Place where{};
     };
     struct Expectation {
         std::string quantity;    ///< `escaped`, `drained` or `<id>.hits`

@@ -47,6 +47,7 @@ void read_launch(ReadContext& context, TableTest& test, const YamlNode& node) {
         return context.report(Code::wrong_shape, node.span, "a launch is due here: {at: [x, y], velocity: [x, y]}");
     static const std::vector<std::string_view> keys{"at", "velocity"};
     TableTest::Launch launch;
+    launch.where = context.source.place(node.span);
     read_entries(context, "a launch", node, keys, [&](auto index, const YamlNode& value) {
         const Unit unit = index == 0 ? Unit::metre : Unit::metre_per_second;
         const auto read = read_value(

@@ -1,9 +1,11 @@
-// scenes/invalid: each file says in its first lines which codes it is to get, and where.
+// scenes/invalid: each file says in its first lines which codes `check` tells of it, and where.
 #include <catch2/catch.hpp>
 #include <set>
 #include <sstream>
 
 #include "engine/core/error_codes.h"
+#include "engine/game/starts.h"
+#include "engine/program/compile.h"
 #include "tests/io/support.h"
 
 using namespace pinfield;
@@ -25,9 +27,19 @@ std::vector<std::string> expected(const std::string& text) {
 const std::set<std::string> elsewhere{
     "E0102", "E0103", "E0106", "E0108",
     "E0109", "E0110", "E0111", "E0122",  // hostile.test.cpp and table_reader.test.cpp
-    "W0503", "W0505",                    // tests/program/distance_quality.test.cpp: the compiler finds them
+    "W0503",                             // tests/program/distance_quality.test.cpp
     "E0601",                             // script_reader.test.cpp
 };
+
+/// What reader, compiler and the judges of a running table find.
+Reading judged(const std::string& text) {
+    Reading result = read(text);
+    if (!result.ok()) return result;
+    const auto program = compile(result.scene);
+    const Diagnostics more = program ? doubts_of(**program, result.scene) : program.error();
+    result.diagnostics.insert(result.diagnostics.end(), more.begin(), more.end());
+    return result;
+}
 
 }  // namespace
 
@@ -36,7 +48,7 @@ TEST_CASE("each invalid scene gets exactly the codes it announces, where it anno
     CHECK(files.size() >= 25);
     for (const auto& path : files) {
         const std::string text = file_text(path);
-        const Reading result = read(text);
+        const Reading result = judged(text);
         INFO(path.filename().string() << "\n" << told(result));
         REQUIRE_FALSE(expected(text).empty());
         CHECK(codes_and_places(result) == expected(text));
