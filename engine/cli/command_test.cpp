@@ -5,8 +5,7 @@
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
-#include "engine/core/numbers.h"
-#include "engine/game/simulation.h"
+#include "engine/game/table_test.h"
 
 namespace pinfield::cli {
 namespace {
@@ -21,39 +20,12 @@ struct Verdict {
     std::vector<std::string> failures;  ///< each expectation that did not hold, with what was there instead
 };
 
-bool compare(double a, const std::string& comparison, double b) {
-    if (comparison == "==") return a == b;
-    if (comparison == "!=") return a != b;
-    if (comparison == "<") return a < b;
-    if (comparison == "<=") return a <= b;
-    if (comparison == ">") return a > b;
-    return a >= b;
-}
-
-/// Value of `escaped`, `drained` or `<id>.hits`: what the reader lets pass.
-double measure(const std::string& quantity, const SimulationSummary& summary, const Game& game, const Scene& scene) {
-    if (quantity == "escaped") return summary.escaped;
-    if (quantity == "drained") return static_cast<double>(summary.drained);
-    const Node* node = scene.find(std::string_view(quantity).substr(0, quantity.rfind('.')));
-    return node ? static_cast<double>(game.hits_of(node->id)) : 0;
-}
-
 Verdict judge(const Table& table, const TableTest& test, std::size_t index) {
-    World world(table.program);
-    for (const TableTest::Launch& launch : test.launches) world.add_ball(launch.at, launch.velocity);
-    if (test.launches.empty()) world.add_spawned_balls();
-    Game game(std::move(world), parents_of(table.scene));
-    SimulationOptions how;
-    how.seconds = test.run;
-    const SimulationSummary summary = simulate(game, how);
-
     Verdict verdict{test.name.empty() ? fmt::format("test {}", index + 1) : test.name, {}};
-    for (const TableTest::Expectation& expected : test.expectations) {
-        const double found = measure(expected.quantity, summary, game, table.scene);
-        if (compare(found, expected.comparison, expected.value)) continue;
-        const LineColumn place = table.scene.sources.line_column(expected.where);
-        verdict.failures.push_back(fmt::format("{}:{}:{}: expected {}, but {} is {}", table.scene.sources.main().name(), place.line, place.column,
-                                               expected.text, expected.quantity, to_text(found)));
+    for (const TestFailure& failure : run_table_test(table.program, table.scene, test)) {
+        const LineColumn place = table.scene.sources.line_column(failure.where);
+        verdict.failures.push_back(
+            fmt::format("{}:{}:{}: {}", table.scene.sources.main().name(), place.line, place.column, failure.message));
     }
     return verdict;
 }

@@ -60,13 +60,17 @@ void Game::put_balls_back() {
     std::erase_if(returns_, [&](const Return& due) { return due.tick <= world_.tick(); });
 }
 
+void Game::expect_back(BallId ball) {
+    if (!options_.launched_come_back && world_.find(ball)->spawn < 0) return;
+    returns_.push_back({world_.tick() + std::llround(options_.seconds_until_back / world_.step_length()), ball});
+}
+
 void Game::count_events() {
     touched_.clear();
     for (const Event& event : world_.events()) {
         ++at(events_, event.kind);
-        if (event.kind == EventKind::drain)
-            returns_.push_back({world_.tick() + std::llround(options_.seconds_until_back / world_.step_length()), event.ball});
-        if (event.kind != EventKind::hit && event.kind != EventKind::kick) continue;
+        if (event.kind == EventKind::drain) expect_back(event.ball);
+        if (event.kind != EventKind::hit && event.kind != EventKind::kick && event.kind != EventKind::drain) continue;
         bool is_bumper = event.part >= 0 && at(world_.program().parts, event.part).is<parts::Bumper>();
         for (NodeId node = event.node; node; is_bumper = false) {
             touched_.push_back({event.ball, node, is_bumper});

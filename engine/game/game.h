@@ -16,7 +16,8 @@ using NodeParents = std::map<NodeId, NodeId>;
 NodeParents parents_of(const Scene& scene);
 
 struct GameOptions {
-    double seconds_until_back = 1;  ///< that a drained ball stays away (decision 29)
+    double seconds_until_back = 1;  ///< that a drained ball stays away (decision 31)
+    bool launched_come_back = true; ///< those, too, that did not start at a spawn
 };
 
 /// An input changes at the start of this tick.
@@ -51,7 +52,7 @@ public:
     const NodeParents& parents() const { return parents_; }
 
     /// How often balls touched a node or anything in it, fast enough for an event: once for each ball and tick, however many of its
-    /// surfaces the ball met, and whether or not it kicked.
+    /// surfaces the ball met, and whether or not it kicked. Of a drain: how many balls it took.
     std::int64_t hits_of(NodeId node) const;
     std::int64_t bumper_hits() const { return bumper_hits_; }  ///< of all bumpers, of those too that are gone by now
     std::int64_t drained() const { return events_[static_cast<std::size_t>(EventKind::drain)]; }
@@ -77,6 +78,7 @@ private:
     };
 
     void put_balls_back();
+    void expect_back(BallId ball);
     void count_events();
 
     World world_;

@@ -326,6 +326,9 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Rename& edit) {
     if (node) names.key(node->key);
     for (const InputBinding& input : scene.inputs)
         if (!node && input.name == edit.from) names.key(input.where);
+    for (const TableTest& test : scene.tests)
+        for (const TableTest::Hand& hand : test.inputs)
+            if (!node && hand.input == edit.from) names.key(hand.where);
     const Meaning sort = node ? Meaning::material : Meaning::input;
     for (const NodeId id : scene.all()) {
         const Node& other = *scene.find(id);

@@ -129,6 +129,12 @@ void follow_name(Scene& scene, Meaning sort, const std::string& from, const std:
     }
 }
 
+void follow_input_in_tests(Scene& scene, const std::string& from, const std::string& to) {
+    for (TableTest& test : scene.tests)
+        for (TableTest::Hand& hand : test.inputs)
+            if (hand.input == from) hand.input = to;
+}
+
 void follow_in_tests(Scene& scene, const std::string& from, const std::string& to) {
     for (TableTest& test : scene.tests)
         for (TableTest::Expectation& expectation : test.expectations)
@@ -190,6 +196,7 @@ Edit done(Scene& scene, const Rename& edit) {
         for (InputBinding& input : scene.inputs)
             if (input.name == edit.from) input.name = edit.to;
         follow_name(scene, Meaning::input, edit.from, edit.to);
+        follow_input_in_tests(scene, edit.from, edit.to);
         return back;
     }
     Node& node = *scene.find(edit.node);

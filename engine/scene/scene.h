@@ -56,6 +56,12 @@ struct TableTest {
         Vec2 at{0, 0}, velocity{0, 0};
         Place where{};
     };
+    /// A hand at an input: it presses at the first time, lets go at the second, and so on; seconds, rising.
+    struct Hand {
+        std::string input;
+        std::vector<double> times;
+        Place where{};
+    };
     struct Expectation {
         std::string quantity;    ///< `escaped`, `drained` or `<id>.hits`
         std::string comparison;  ///< == != < <= > >=
@@ -65,6 +71,7 @@ struct TableTest {
     };
     std::string name;
     std::vector<Launch> launches;
+    std::vector<Hand> inputs;
     double run = 1;  ///< seconds
     std::vector<Expectation> expectations;
     Place where{};

@@ -189,11 +189,13 @@ TEST_CASE("a name is changed together with all that refers to it, and nothing el
     CHECK(renamed(text, "pop", "popper") == "refused: the id popper is taken");
     CHECK(renamed(text, "pop", "left") == "refused: the id left is taken");
     CHECK(renamed(text, "pop", "").starts_with("refused: a test of the table expects"));
-    const Reading bats = read("pinfield: 1\nscene:\n- flipper: {input: [left]}\n- flipper: {at: [1, 1], input: [left]}\ninputs:\n  left: Z  # left\n");
+    const Reading bats = read("pinfield: 1\nscene:\n- flipper: {input: [left]}\n- flipper: {at: [1, 1], input: [left]}\ninputs:\n  left: Z  # left\n"
+                              "tests:\n- {inputs: {left: 1s}, expect: [escaped == 0]}\n");
     INFO(told(bats));
     REQUIRE(bats.ok());
     CHECK(after(bats, Rename{{}, "left", "links", true}) ==
-          "pinfield: 1\nscene:\n- flipper: {input: [links]}\n- flipper: {at: [1, 1], input: [links]}\ninputs:\n  links: Z  # left\n");
+          "pinfield: 1\nscene:\n- flipper: {input: [links]}\n- flipper: {at: [1, 1], input: [links]}\ninputs:\n  links: Z  # left\n"
+          "tests:\n- {inputs: {links: 1s}, expect: [escaped == 0]}\n");
 }
 
 TEST_CASE("a node becomes one of another type and keeps what both have") {

@@ -71,6 +71,10 @@ tests:
       - {at: [0.1, 0.1]}
       - {at: [0.2, 0.1]}
     expect: drained <= 2
+  - inputs:
+      left: [100ms, 0.2, 1s]  # a tap, then held
+      right: 50ms
+    expect: drained <= 2
 )";
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
