@@ -101,7 +101,7 @@ TEST_CASE("a ball that cannot start is held back, told once with what is there, 
             game.step();
             CHECK(game.world().balls()[0].state == BallState::drained);
             told += count(game.world(), EventKind::held_back);
-            if (t == 0) CHECK(read.scene.path(game.world().events()[0].node) == node);
+            for (const Event& event : game.world().events()) CHECK((event.node ? read.scene.path(event.node) : "") == node);
         }
         CHECK(told == 1);
         CHECK(game.drained() == 0);
@@ -161,4 +161,18 @@ TEST_CASE("referee and auditor agree about balls that an editor's hand puts anyw
     }
     CHECK(escaped > 20);
     CHECK(deep > 20);
+}
+
+TEST_CASE("the auditor sees a ball where it stands, though it has no path") {
+    World world(program_of(flat + things));
+    const BallId ball = world.add_ball({0.5, 0.7}, {0, 0});
+    world.record_paths(true);
+    Auditor auditor;
+    auditor.after_tick(world);
+    CHECK(auditor.report().worst_depth == 0);
+    world.set_ball(ball, {0.5, 0.58}, {0, 0});
+    auditor.after_tick(world);
+    CHECK(auditor.report().segments == 0);
+    CHECK(auditor.report().worst_depth == Approx(r + 0.02));
+    CHECK(auditor.report().crossings == 1);
 }
