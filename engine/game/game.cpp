@@ -70,7 +70,7 @@ void Game::count_events() {
     for (const Event& event : world_.events()) {
         ++at(events_, event.kind);
         if (event.kind == EventKind::drain) expect_back(event.ball);
-        if (event.kind != EventKind::hit && event.kind != EventKind::kick && event.kind != EventKind::drain) continue;
+        if (event.kind != EventKind::hit && event.kind != EventKind::drain) continue;
         bool is_bumper = event.part >= 0 && at(world_.program().parts, event.part).is<parts::Bumper>();
         for (NodeId node = event.node; node; is_bumper = false) {
             touched_.push_back({event.ball, node, is_bumper});

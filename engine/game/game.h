@@ -51,8 +51,8 @@ public:
     const World& world() const { return world_; }
     const NodeParents& parents() const { return parents_; }
 
-    /// How often balls touched a node or anything in it, fast enough for an event: once for each ball and tick, however many of its
-    /// surfaces the ball met, and whether or not it kicked. Of a drain: how many balls it took.
+    /// How often balls touched a node or anything in it, fast enough for an event: once a touch, however often the ball bounced in it, and
+    /// once for each ball and tick, however many surfaces it met then. Of a drain: how many balls it took.
     std::int64_t hits_of(NodeId node) const;
     std::int64_t bumper_hits() const { return bumper_hits_; }  ///< of all bumpers, of those too that are gone by now
     std::int64_t drained() const { return events_[static_cast<std::size_t>(EventKind::drain)]; }

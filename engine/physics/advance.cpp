@@ -1,5 +1,6 @@
 // The event loops inside a tick: one ball against the static field, and several balls and movers together.
 #include <algorithm>
+#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/physics/contact.h"
@@ -195,7 +196,9 @@ private:
         const double speed = std::fabs(s.rate) * (mover.slides ? 1.0 : mover.bounding_radius);
         hit_end_stop(w_.program(), static_cast<int>(m), s, h_);
         if (++w_.mover_work[m].stops > most_impacts) stall(m);
-        if (speed > 10 * w_.physics.rest_speed)  // slower ones are the end of a train of rebounds, which nobody hears
+        const int side = s.q >= s.q_max ? 1 : -1;
+        const bool heard = speed > 10 * w_.physics.rest_speed;  // slower ones are the end of a train of rebounds
+        if (heard && std::exchange(s.rung, side) != side)
             w_.events.push_back({w_.tick, w_.start_time() + time, EventKind::end_stop, {}, at(w_.program().parts, mover.part).origin,
                                  mover.pivot, {0, 0}, speed, mover.part});
         replan_mover(m);

@@ -4,11 +4,6 @@
 
 namespace pinfield {
 
-/// What the surface of a contact is made of, and to whom it belongs.
-struct Surface {
-    int part = -1, material = 0;  ///< indices into the program's
-    NodeId node;
-};
 Surface surface_of(const WorldState& w, const Contact& c);
 
 /// How a surface moves at the contact, and how it yields to an impulse.

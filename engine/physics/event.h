@@ -9,28 +9,45 @@
 
 namespace pinfield {
 
-enum class EventKind : unsigned char { hit, kick, ball_hit, drain, press, release, end_stop, launch, quarantine, jam, held_back };
+enum class EventKind : unsigned char {
+    hit,         ///< a ball begins to touch something: however often that bounces, one touch is one hit (BallTouch in world.h)
+    kick,        ///< a part kicks a ball
+    ball_hit,    ///< two balls begin to touch
+    drain,       ///< a drain takes a ball
+    press,       ///< an input of a part is pressed
+    release,     ///< ... or let go
+    end_stop,    ///< a mover meets its end-stop: once, however often it rebounds
+    launch,      ///< a plunger is let go
+    quarantine,  ///< a ball's numbers are not finite: it is taken out
+    jam,         ///< a ball is caught between a mover that does not yield and something that does not either
+    held_back,   ///< a ball cannot start yet
+    leave,       ///< a touch that was told, by hit or ball_hit, is over
+    flood,       ///< one ball's hits and kicks in this tick were too many: the rest is not told
+    stuck        ///< a ball has hardly moved for three seconds, and no mover that is played touches it
+};
 std::string_view name(EventKind kind);
 
 struct Event {
     std::int64_t tick = 0;
     double time = 0;        ///< seconds since the start
     EventKind kind = EventKind::hit;
-    BallId ball;            ///< none for events without a ball
-    NodeId node;            ///< what was hit: the part's scene node, or where there is none the winning leaf's; none for ball_hit, quarantine. held_back: what is where the ball starts; none: a ball
+    BallId ball;            ///< none for events without a ball; of two balls the one with the smaller id
+    NodeId node;            ///< what was hit: the part's scene node, or where there is none the winning leaf's; none for balls that meet, quarantine. flood: the first that is not told. stuck: what is below. held_back: what is where the ball starts; none: a ball
     Vec2 position{0, 0};    ///< contact point, or the ball's centre
     Vec2 normal{0, 0};      ///< unit, from the surface to the ball
     /// m/s. hit, ball_hit: normal approach speed. kick: what the part adds along the normal. end_stop: of the part's farthest point as it
-    /// meets the stop. launch: of the rod when it is let go. drain: of the ball. 0 for the others.
+    /// meets the stop. launch: of the rod when it is let go. drain: of the ball. leave: the hardest approach of the touch. 0 for the others.
     double speed = 0;
     /// The part that it is about, by its index in Program::parts. hit, kick: whose surface it is, the domain being a part too; drain: the
     /// drain; press, release: the part that the input works; end_stop, launch: the part that moves; jam: the one that presses. -1: none.
     int part = -1;
-    /// hit, kick: what the surface is made of there, by its index in Program::materials. -1 for the others.
+    /// hit, kick, leave: what the surface is made of there, by its index in Program::materials. -1 for the others.
     int material = -1;
+    BallId other{};       ///< the other one of two balls
+    double duration = 0;  ///< leave: seconds from the first impulse to the last
 };
 
 /// As many as EventKind has.
-inline constexpr int event_kinds = static_cast<int>(EventKind::held_back) + 1;
+inline constexpr int event_kinds = static_cast<int>(EventKind::stuck) + 1;
 
 }  // namespace pinfield

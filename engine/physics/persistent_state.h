@@ -26,6 +26,9 @@ struct BallMemory {
     bool waiting = false;         ///< to be put back as soon as it can start where it does
     bool held_back = false;       ///< by something that stays there or another ball, and that was told
     int quiet_ticks = 0;          ///< for how long it has hardly moved, in a pile
+    Vec2 still_place{0, 0};       ///< about which it has been ...
+    int still_ticks = 0;          ///< ... for so long
+    bool stuck = false;           ///< that was too long, and it was told
 };
 
 /// An input that changes at the start of the next tick.
@@ -40,6 +43,7 @@ struct PersistentState {
     std::uint32_t next_ball = 1;
     std::vector<Ball> balls;
     std::vector<BallMemory> memories;  ///< one a ball
+    std::vector<BallTouch> open_touches;    ///< in order of their balls' ids
     std::vector<MoverState> movers;
     std::vector<std::uint8_t> pressed;  ///< one an input of the program, 0 or 1
     std::vector<InputEdge> edges;       ///< in the order in which they came
@@ -51,12 +55,13 @@ std::uint64_t hash_of(const PersistentState& state);
 /// How many members each struct has. A member that is added or removed does not compile until its number here follows, and then
 /// it is hashed.
 template <class T> inline constexpr int member_count = 0;
-template <> inline constexpr int member_count<PersistentState> = 8;
+template <> inline constexpr int member_count<PersistentState> = 9;
 template <> inline constexpr int member_count<WorldOptions> = 6;
 template <> inline constexpr int member_count<Ball> = 10;
-template <> inline constexpr int member_count<BallMemory> = 6;
+template <> inline constexpr int member_count<BallMemory> = 9;
 template <> inline constexpr int member_count<SurfaceRef> = 3;
-template <> inline constexpr int member_count<MoverState> = 9;
+template <> inline constexpr int member_count<MoverState> = 10;
+template <> inline constexpr int member_count<BallTouch> = 14;
 template <> inline constexpr int member_count<InputEdge> = 2;
 
 /// Calls f with each member of a struct, in order.
@@ -76,16 +81,16 @@ void each_member(T& value, F&& f) {
     } else if constexpr (count == 6) {
         auto& [a, b, c, d, e, g] = value;
         all(a, b, c, d, e, g);
-    } else if constexpr (count == 8) {
-        auto& [a, b, c, d, e, g, h, i] = value;
-        all(a, b, c, d, e, g, h, i);
     } else if constexpr (count == 9) {
         auto& [a, b, c, d, e, g, h, i, j] = value;
         all(a, b, c, d, e, g, h, i, j);
-    } else {
-        static_assert(count == 10, "bind this many members here");
+    } else if constexpr (count == 10) {
         auto& [a, b, c, d, e, g, h, i, j, k] = value;
         all(a, b, c, d, e, g, h, i, j, k);
+    } else {
+        static_assert(count == 14, "bind this many members here");
+        auto& [a, b, c, d, e, g, h, i, j, k, l, m, n, o] = value;
+        all(a, b, c, d, e, g, h, i, j, k, l, m, n, o);
     }
 }
 
@@ -99,7 +104,7 @@ void each_value(T& value, Visit&& visit) {
     } else if constexpr (std::is_same_v<Plain, Vec2>) {
         visit(value.x());
         visit(value.y());
-    } else if constexpr (std::is_same_v<Plain, BallId>) {
+    } else if constexpr (std::is_same_v<Plain, BallId> || std::is_same_v<Plain, NodeId>) {
         visit(value.value);
     } else if constexpr (requires { value.has_value(); }) {
         visit(value);

@@ -89,7 +89,8 @@ void take_surfaces(WorldState& w, std::size_t i, const SweptField& field, int mo
         c.surface = {mover, touch.solid, touch.piece};
         c.slack = slack_of(w, touch.gap);
         const Contact contact{c.normal, touch.gap, touch.concave_radius, mover, touch.solid, touch.leaf, touch.piece};
-        const MaterialRecord& material = at(w.program().materials, surface_of(w, contact).material);
+        c.of = surface_of(w, contact);
+        const MaterialRecord& material = at(w.program().materials, c.of.material);
         const double e = w.options.restitution ? *w.options.restitution : material.restitution;
         const bool rubs = !w.options.restitution && material.tangential < 1;
         c.friction = rubs ? material.friction : 0.0;
@@ -151,6 +152,18 @@ void relax_all(WorldState& w) {
     }
 }
 
+/// What lies on a part that kicks however slow it is touched is kicked.
+void note_contact(WorldState& w, const PileContact& c) {
+    if (c.below >= 0) return note_meeting(w, to_index(c.ball), to_index(c.below), 0, 2 * c.pressed, false);
+    Ball& ball = at(w.balls, c.ball);
+    const double r = w.physics.ball_radius;
+    const double kick = c.of.part >= 0 && !w.options.restitution ? kick_of(at(w.program().parts, c.of.part), 0) : 0.0;
+    if (kick > 0) ball.velocity += kick * c.normal;
+    const double along = dot(ball.velocity, perpendicular(c.normal));
+    note(w, {ball.id, {}, c.of, ball.position - r * c.normal, c.normal, w.start_time(), 0, dot(ball.velocity, c.normal), along,
+             along - r * ball.spin, c.pressed, kick, kick > 0});
+}
+
 /// Velocities are to be those at the end of the tick: symplectic Euler's are already. On parabolas what still closes is taken away first,
 /// at the tick's start, so that only weight is left to be spread.
 void solve(WorldState& w) {
@@ -172,7 +185,9 @@ void solve(WorldState& w) {
         }
     }
     for (const PileContact& c : w.pile) {
-        if (c.below >= 0 || c.pressed == 0) continue;
+        if (c.pressed == 0) continue;
+        note_contact(w, c);
+        if (c.below >= 0) continue;
         at(w.memories, c.ball).slide = c.surface;
         at(w.memories, c.ball).slide_tick = w.tick;
     }

@@ -80,6 +80,7 @@ void scatter(const WorldState& w, Ball& ball, const Contact& c, const MaterialRe
 /// One contact of a ball that is being resolved.
 struct Meeting {
     WorldState& w;
+    std::size_t index;  ///< of the ball
     Ball& ball;
     Contact& c;
     Vec2 n, t;  ///< unit, world: out of the surface, and along it
@@ -128,15 +129,17 @@ double rub(Meeting& m, double slip, double gained) {
     return -pull * (2 * true_slip + 3 * pull);
 }
 
-/// Reports the impact, and kicks the ball where the part does. True when it kicked.
-bool report(Meeting& m, const Surface& of, const Vec2& point, double time) {
+/// Kicks the ball where the part does, and notes the impact. True when it kicked.
+bool report(Meeting& m, const Surface& of, const Vec2& point, double gained, bool tells) {
     WorldState& w = m.w;
-    w.events.push_back({w.tick, time, EventKind::hit, m.ball.id, of.node, point, m.n, m.impact.approach, of.part, of.material});
     const double kick = of.part >= 0 && !w.options.restitution ? kick_of(at(w.program().parts, of.part), m.impact.approach) : 0.0;
-    if (kick <= 0) return false;
-    m.ball.velocity += kick * m.n;
-    w.events.push_back({w.tick, time, EventKind::kick, m.ball.id, of.node, point, m.n, kick, of.part, of.material});
-    return true;
+    if (kick > 0) m.ball.velocity += kick * m.n;
+    const Vec2 moves = m.c.mover < 0 ? Vec2(0, 0) : surface_motion_of(w, m.c, point, m.t).velocity;
+    const Vec2 relative = m.ball.velocity - moves;
+    const double along = dot(relative, m.t), time = w.start_time() + w.work[m.index].time;
+    note(w, {m.ball.id, {}, of, point, m.n, time, m.impact.approach, dot(relative, m.n), along, along - w.physics.ball_radius * m.ball.spin, gained,
+             kick, tells || kick > 0});
+    return kick > 0;
 }
 
 /// Charges an impact to the ball's budget. A ball that follows a surface is turned by it, which costs nothing; what it closes with beyond
@@ -169,7 +172,7 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced, Budget& budg
         const double bend = bend_of(w, ball, c, dot(relative, t));
         if (bend > 0) impact.turned = w.physics.step * (bend + std::max(0.0, -dot(n, w.physics.gravity)));
     }
-    Meeting m{w, ball, c, n, t, surface, material, impact, lead, w.physics.ball_mass};
+    Meeting m{w, i, ball, c, n, t, surface, material, impact, lead, w.physics.ball_mass};
     c.collapsed = impact.collapsed;
     ++w.stats.impacts;
 
@@ -181,9 +184,9 @@ bool resolve(WorldState& w, std::size_t i, Contact& c, bool forced, Budget& budg
     } else {
         scatter(w, ball, c, material, work.impacts);
     }
-    if (impact.collapsed && impact.approach <= w.physics.rest_speed) return true;
-    c.told = true;
-    budget.open = report(m, of, point, w.start_time() + work.time) || budget.open;
+    const bool tells = !impact.collapsed || impact.approach > w.physics.rest_speed;
+    c.told = c.told || tells;
+    budget.open = report(m, of, point, gained, tells) || budget.open;
     return true;
 }
 
@@ -207,7 +210,9 @@ void tell_the_rest(WorldState& w, std::size_t i) {
         if (std::any_of(w.contacts.begin(), w.contacts.end(), tells)) continue;
         c.told = true;
         const Vec2 point = ball.position - w.physics.ball_radius * c.normal;
-        w.events.push_back({w.tick, w.start_time() + w.work[i].time, EventKind::hit, ball.id, of.node, point, c.normal, c.approach, of.part, of.material});
+        const double along = dot(ball.velocity, perpendicular(c.normal));
+        note(w, {ball.id, {}, of, point, c.normal, w.start_time() + w.work[i].time, c.approach, dot(ball.velocity, c.normal), along,
+                 along - w.physics.ball_radius * ball.spin, 0, 0, true});
     }
 }
 
@@ -316,9 +321,18 @@ void respond_to_ball(WorldState& w, std::size_t i, std::size_t j) {
     }
     ++w.stats.impacts;
     a.free_path = b.free_path = 0;
-    if (closing > w.physics.rest_speed)
-        w.events.push_back(
-            {w.tick, w.start_time() + w.work[i].time, EventKind::ball_hit, a.id, {}, b.position + w.physics.ball_radius * n, n, closing});
+    note_meeting(w, i, j, closing, gained, closing > w.physics.rest_speed);
+}
+
+void note_meeting(WorldState& w, std::size_t i, std::size_t j, double closing, double gained, bool tells) {
+    const bool in_order = w.balls[i].id < w.balls[j].id;
+    const Ball &a = w.balls[in_order ? i : j], &b = w.balls[in_order ? j : i];
+    const Vec2 apart = a.position - b.position, relative = a.velocity - b.velocity;
+    const double distance = length(apart);
+    const Vec2 n = distance > 0 ? Vec2(apart / distance) : Vec2(0, 1);
+    const double along = dot(relative, perpendicular(n));
+    note(w, {a.id, b.id, {}, b.position + w.physics.ball_radius * n, n, w.start_time() + w.work[i].time, closing, dot(relative, n), along,
+             along - w.physics.ball_radius * (a.spin + b.spin), 0.5 * gained, 0, tells});
 }
 
 }  // namespace pinfield

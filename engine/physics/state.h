@@ -26,6 +26,24 @@ struct Contact {
     SurfaceRef surface() const { return {mover, solid, piece}; }
 };
 
+/// What the surface of a contact is made of, and to whom it belongs.
+struct Surface {
+    int part = -1, material = 0;  ///< indices into the program's
+    NodeId node;
+};
+
+/// An impulse on a ball, of a surface or of another ball: what touches are made of when the tick is over.
+struct Impulse {
+    BallId ball, other;          ///< other: none for surfaces
+    Surface of;
+    Vec2 point{0, 0}, normal{0, 0};
+    double time = 0;             ///< seconds since the world's start
+    double approach = 0, off = 0, along = 0, slip = 0;  ///< m/s, as in BallTouch
+    double pressed = 0;          ///< m/s: of the ball's mass
+    double kick = 0;             ///< m/s that the part added
+    bool tells = false;          ///< hard enough for an event
+};
+
 /// What surfaces that a ball stays on do to it on its way.
 struct Held {
     bool by_surface = false;
@@ -39,6 +57,7 @@ struct PileContact {
     int ball = -1, below = -1;     ///< below -1: a surface
     Vec2 normal{0, 0};             ///< unit, towards `ball`
     SurfaceRef surface;
+    Surface of;
     double slack = 0;              ///< m/s at which it may close: the gap that is left for the tick
     double friction = 0;
     double pressed = 0, rubbed = 0;  ///< impulses per mass so far, m/s: along the normal, and along the surface
@@ -55,6 +74,7 @@ struct BallWork {
     bool coupled = false;        ///< its tick is run together with others'
     bool piled = false;          ///< it touches other balls, and its contacts were settled together: its path is straight
     Vec2 late_kick{0, 0};        ///< m/s: what of its acceleration, on what would be a parabola, it gets when the tick ends
+    int told = 0;                ///< hits and kicks
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
 };
 
@@ -111,6 +131,7 @@ struct WorldScratch {
     std::vector<BallPlan> plans;     ///< of the balls in `coupled`, by their index among all
     std::vector<Ball> balls_before;
     std::vector<PileContact> pile;
+    std::vector<Impulse> impulses;   ///< of this tick; each ball's in order of time
     /// Of each ball, in the static field. It outlasts the tick, as a cache: what a sweep finds has the same bits without it (decision 16).
     /// (A ball's free_path is no such thing: whether the field is asked at all depends on it, and so does where a budget runs out.)
     std::vector<Neighbours> near;
@@ -157,8 +178,18 @@ void rest_piles(WorldState& w);
 void wake(WorldState& w, std::size_t i);
 /// Closing speed, m/s, up to which two balls do not bounce.
 double slowest_pair_bounce(const WorldState& w, double restitution);
+/// Notes an impulse; several on one surface at one instant are one.
+void note(WorldState& w, const Impulse& impulse);
+/// Adds what weight presses onto a surface, m/s, to what has been noted last of it and this ball.
+void press(WorldState& w, BallId ball, const Vec2& normal, double gained);
+/// After a tick: makes touches and their events of its impulses.
+void tell_touches(WorldState& w);
+/// After a tick: looks for balls that have hardly moved for long, tells them, and has what kicks and touches them kick.
+void look_for_stuck_balls(WorldState& w);
 /// Balls i and j meet.
 void respond_to_ball(WorldState& w, std::size_t i, std::size_t j);
+/// Notes an impulse between balls i and j: `gained`, m/s, is what they part with more than before.
+void note_meeting(WorldState& w, std::size_t i, std::size_t j, double closing, double gained, bool tells);
 /// Moves ball i along its path by dt.
 void advance_ball(WorldState& w, std::size_t i, double dt);
 /// Moves mover m along its motion to `time` of the tick.

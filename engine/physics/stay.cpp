@@ -150,9 +150,10 @@ void constrain(WorldState& w, std::size_t i) {
     if (holding == 1) {
         const Vec2 n = only->normal, t = perpendicular(n);
         const double along = dot(w.balls[i].velocity, t), turning = along * along / turning_radius(w, w.balls[i], *only);
-        const double press = -dot(n, g) - turning;
-        if (turning > 0 && press <= 0) return;  // it flies off
-        const double friction = friction_of(w, i, *only, press, dot(t, a));
+        const double load = -dot(n, g) - turning;
+        if (turning > 0 && load <= 0) return;  // it flies off
+        const double friction = friction_of(w, i, *only, load, dot(t, a));
+        press(w, w.balls[i].id, n, std::max(0.0, load) * (w.physics.step - work.time));
         a += friction * t - turning * n;
         work.held = {true, t, friction, -2 * friction / w.physics.ball_radius};
     } else {

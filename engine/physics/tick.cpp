@@ -166,7 +166,8 @@ bool try_uncoupled(WorldState& w, std::size_t i, double way) {
     const Ball ball = w.balls[i];
     const BallWork work = w.work[i];
     const BallMemory memory = w.memories[i];
-    const std::size_t events = w.events.size(), paths = w.paths.size();
+    const std::size_t events = w.events.size(), paths = w.paths.size(), impulses = w.impulses.size();
+    const Impulse last = impulses > 0 ? w.impulses.back() : Impulse{};  // to which one at this instant may be added
     // The limit leaves room for the rounding of a sum of at most 256 ways, less than 1e-13 of it, and for a gap that is restored.
     if (advance_uncoupled(w, i, way * (1 + 1e-9) + w.band.tolerance)) return true;
     w.balls[i] = ball;
@@ -174,6 +175,8 @@ bool try_uncoupled(WorldState& w, std::size_t i, double way) {
     w.memories[i] = memory;
     w.events.resize(events);
     w.paths.resize(paths);
+    w.impulses.resize(impulses);
+    if (impulses > 0) w.impulses.back() = last;
     return false;
 }
 
@@ -183,6 +186,7 @@ void couple_everybody(WorldState& w) {
         if (w.work[i].time > 0 && !w.memories[i].embedded) {
             w.balls[i] = w.balls_before[i];
             w.work[i] = {};
+            std::erase_if(w.impulses, [&](const Impulse& impulse) { return impulse.ball == w.balls[i].id; });
             begin_tick(w, i);
             keep_contact(w, i);
         }
@@ -215,6 +219,13 @@ void run_uncoupled(WorldState& w) {
             w.coupled.push_back(static_cast<int>(i));
         }
     }
+}
+
+/// What stands still has no speed, whatever the mover that presses it gave it.
+void stop_jammed(Ball& ball) {
+    ball.state = BallState::jammed;
+    ball.velocity = {0, 0};
+    ball.spin = 0;
 }
 
 }  // namespace
@@ -284,9 +295,11 @@ void run_tick(WorldState& w) {
         filter_positions(w, i);
         if (!w.program().sensors.empty() && w.in_play(i)) check_drains(w, i);
         rest_or_wake(w, i);
-        if (w.work[i].jammed && w.in_play(i)) w.balls[i].state = BallState::jammed;
+        if (w.work[i].jammed && w.in_play(i)) stop_jammed(w.balls[i]);
     }
     rest_piles(w);
+    tell_touches(w);
+    look_for_stuck_balls(w);
     order_events(w.events);
     w.stats.sweeps = w.sweeps.sweeps;
     w.stats.evaluations = w.sweeps.evaluations;

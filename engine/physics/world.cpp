@@ -55,6 +55,7 @@ void place_ball(WorldState& w, std::size_t i, const Vec2& position, const Vec2& 
     ball.spin = ball.free_path = 0;
     ball.state = BallState::rolling;
     w.memories[i] = {};
+    w.memories[i].still_place = position;
     check_embedded(w, i);
 }
 
@@ -142,6 +143,7 @@ void keep_motion(MoverState& now, const MoverState& before) {
     now.driven = before.driven;
     now.drive_time = before.drive_time;
     now.launch_rate = before.launch_rate;
+    now.rung = before.rung;
 }
 
 }  // namespace
@@ -164,7 +166,8 @@ void try_put_back(WorldState& w, std::size_t i) {
 
 std::string_view name(EventKind kind) {
     constexpr std::string_view names[] = {"hit",     "kick",        "ball_hit", "drain",      "press",
-                                          "release", "end_stop", "launch",   "quarantine", "jam",   "held_back"};
+                                          "release", "end_stop", "launch",   "quarantine", "jam",   "held_back",
+                                          "leave",   "flood",       "stuck"};
     return at(names, kind);
 }
 
@@ -241,6 +244,7 @@ void World::set_program(ProgramPtr program) {
     w.prepared = std::make_shared<const PreparedProgram>(std::move(program));
     w.near.clear();    // its entries are those of the old field
     w.events.clear();  // their indices are those of the old program
+    w.open_touches.clear();
     take_physics(w);
     fresh_movers(w);
     const auto origin = [](const Program& p, std::size_t m) { return at(p.parts, p.movers[m].part).origin; };
@@ -268,6 +272,7 @@ double World::time() const { return state_->start_time(); }
 std::span<const Ball> World::balls() const { return state_->balls; }
 std::span<const MoverState> World::movers() const { return state_->movers; }
 std::span<const Event> World::events() const { return state_->events; }
+std::span<const BallTouch> World::touches() const { return state_->open_touches; }
 const WorldStats& World::stats() const { return state_->stats; }
 void World::record_paths(bool on) { state_->recording = on; }
 std::span<const PathSegment> World::paths() const { return state_->paths; }

@@ -20,6 +20,24 @@ struct MoverState {
     bool driven = false;
     double inverse_inertia = 0;   ///< 1/(kg m^2) or 1/kg; 0: kinematic
     double launch_rate = 0;       ///< m/s of a plunger on its way forward
+    int rung = 0;                 ///< the end-stop that it met last, if it was not halfway to the other since, nor switched: -1 q_min, 1 q_max
+};
+
+/// A touch: from the first impulse between a ball and a surface of a node (or another ball) to the last, rebounds that hardly leave it
+/// included. What one hears of it while it lasts: sliding where `slip` is, rolling where only `along` is, as loud as `load` says.
+struct BallTouch {
+    BallId ball;
+    NodeId node;         ///< none: another ball
+    BallId other;        ///< the other ball
+    int part = -1, material = -1;
+    Vec2 normal{0, 0};   ///< unit, towards `ball`, at the last impulse
+    double since = 0, last = 0;  ///< of the first and the last impulse, seconds since the world's start
+    double off = 0;      ///< m/s along the normal with which the last impulse left it
+    double hardest = 0;  ///< approach speed, m/s
+    double along = 0;    ///< m/s of the ball's centre along the surface, after the last impulse
+    double slip = 0;     ///< m/s of its rim against the surface: 0 while it rolls
+    double load = 0;     ///< N: the last tick's impulses over its length
+    bool told = false;   ///< there was an event when it began: there is one when it ends
 };
 
 /// A stretch of a mover's motion within a tick: q + rate s + acceleration s^2 / 2 for s seconds after `start`.
@@ -94,6 +112,8 @@ public:
     std::span<const MoverState> movers() const;
     /// Events of the last tick, in order; none after a change of the program, whose parts and materials they index.
     std::span<const Event> events() const;
+    /// What balls touch, in order of the balls; after a change of the program they begin anew.
+    std::span<const BallTouch> touches() const;
     const WorldStats& stats() const;
     /// Kinetic + spin + m g y of one ball, J.
     double energy(const Ball& ball) const;

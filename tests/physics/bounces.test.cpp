@@ -40,11 +40,12 @@ TEST_CASE("a bouncing ball loses height geometrically and comes to rest when the
     std::vector<Event> hits;
     while (world.time() < 2) {
         world.step();
-        for (const Event& event : world.events()) hits.push_back(event);
+        for (const Event& event : world.events())
+            if (event.kind == EventKind::hit) hits.push_back(event);
     }
-    REQUIRE(hits.size() > 8);
+    REQUIRE(hits.size() == 7);  // the next bounce would last 7 ms: what follows in less than 10 ms is the same touch
     const double gap = 0.5e-7;  // a ball is stopped half the tolerance early
-    for (std::size_t n = 0; n < 8; ++n) {
+    for (std::size_t n = 0; n < 7; ++n) {
         const double speed = std::sqrt(2 * g * (h0 - gap)) * std::pow(e, static_cast<double>(n));
         CHECK(relative_error(hits[n].speed, speed) < 1e-9);
         const double height = hits[n].speed * hits[n].speed / (2 * g);

@@ -45,6 +45,7 @@ PersistentState sample(bool other) {
     state.movers.resize(2);
     state.pressed = {0, 1};
     state.edges.resize(2);
+    state.open_touches.resize(2);
     double next = other ? -7.25 : 0;
     each_value(state, [&](auto& value) {
         using T = std::remove_cvref_t<decltype(value)>;
@@ -92,8 +93,9 @@ TEST_CASE("the smallest change of any one value that persists changes the hash")
             INFO("value " << changes);
             if (done) CHECK(hashes.insert(hash_of(state)).second);
         }
-        // Six options, tick and next ball, five lists; of two of each: a ball's 14 numbers, its memory's 8, a mover's 12, an input, an edge's 2.
-        CHECK(changes - 1 == 6 + 3 * other + 2 + 5 + 2 * (14 + 8 + 9 + 1 + 2));
+        // Six options, tick and next ball, six lists; of two of each: a ball's 14 numbers, its memory's 12, a touch's 15, a mover's 10, an
+        // input, an edge's 2.
+        CHECK(changes - 1 == 6 + 3 * other + 2 + 6 + 2 * (14 + 12 + 15 + 10 + 1 + 2));
     }
 }
 

@@ -44,6 +44,8 @@ double leaning(const Program& program, int mover, const MoverState& state) {
 
 void switch_mover(MoverState& state, bool pressed) {
     if (pressed && !state.driven) state.drive_time = 0;
+    const double middle = 0.5 * (state.q_min + state.q_max);
+    if (pressed != state.driven || (state.rung > 0 && state.q < middle) || (state.rung < 0 && state.q > middle)) state.rung = 0;
     state.driven = pressed;
 }
 

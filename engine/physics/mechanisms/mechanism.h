@@ -19,7 +19,7 @@ bool drive_mover(const Program& program, int mover, MoverState& state, double st
 /// How hard a mover that stands at an end-stop is driven against it: acceleration, >= 0.
 double leaning(const Program& program, int mover, const MoverState& state);
 
-/// Its input was pressed or released.
+/// Before each tick: its input is pressed, or not.
 void switch_mover(MoverState& state, bool pressed);
 
 /// Answers an end-stop that was hit: the state stands on it, moving into it. `step`: length of a tick.
