@@ -5,6 +5,7 @@
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
+#include "engine/game/pockets.h"
 #include "engine/game/starts.h"
 #include "engine/program/compile.h"
 #include "engine/program/distance_quality.h"
@@ -15,7 +16,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> files;
-    bool json = false, verbose = false;
+    bool json = false, verbose = false, pockets = false;
 };
 
 JsonObject json_of(const Diagnostic& diagnostic, const char* severity, const Sources& sources) {
@@ -95,13 +96,17 @@ struct Findings {
     std::vector<Note> notes;
 };
 
-Findings findings_of(const Reading& loaded, bool with_notes) {
+Findings findings_of(const Reading& loaded, const Options& options) {
     Findings out{loaded.diagnostics, {}};
     if (!loaded.ok()) return out;
     const auto program = compile(loaded.scene);
     const Diagnostics more = program ? doubts_of(**program, loaded.scene) : program.error();
     out.diagnostics.insert(out.diagnostics.end(), more.begin(), more.end());
-    if (program && with_notes) out.notes = notes_of(**program, loaded.scene);
+    if (program && options.pockets) {
+        const Diagnostics pockets = pocket_warnings(**program, loaded.scene);
+        out.diagnostics.insert(out.diagnostics.end(), pockets.begin(), pockets.end());
+    }
+    if (program && options.verbose) out.notes = notes_of(**program, loaded.scene);
     return out;
 }
 
@@ -116,7 +121,7 @@ ExitCode check(const Options& options) {
             exit = ExitCode::failed;
             continue;
         }
-        const Findings found = findings_of(*loaded, options.verbose);
+        const Findings found = findings_of(*loaded, options);
         if (has_errors(found.diagnostics) && exit == ExitCode::fine) exit = ExitCode::wrong;
         if (!options.json) print(text_of(found.diagnostics, loaded->scene.sources) + lines_of(found.notes, loaded->scene.sources));
         for (const Diagnostic& diagnostic : found.diagnostics) {
@@ -137,6 +142,7 @@ void add_check(const Command& app, ExitCode& exit) {
     command.option("FILE", options->files, "Table files").required();
     command.flag("--json", options->json, "Print an array of findings");
     command.flag("--verbose", options->verbose, "Tell of every node with a distance how far that may be trusted");
+    command.flag("--pockets", options->pockets, "Tell where slow balls come to rest and nothing plays them");
     command.callback([options, &exit] { exit = check(*options); });
 }
 

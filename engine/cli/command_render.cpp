@@ -6,6 +6,7 @@
 
 #include "engine/cli/command.h"
 #include "engine/cli/output.h"
+#include "engine/cli/part_marks.h"
 #include "engine/cli/table.h"
 #include "engine/core/numbers.h"
 #include "engine/io/png.h"
@@ -20,6 +21,7 @@ constexpr int most_pixels_a_side = 16384;
 
 struct Options {
     std::string file, out, size, mode = "shaded";
+    bool parts = false;
 };
 
 struct Size {
@@ -69,9 +71,10 @@ void render(const Options& options) {
     rasterize(program.fixed, ground_layer, isa, raster);
     for (std::size_t i = 0; i < program.movers.size(); ++i)
         rasterize_over(program.movers[i], world_from_resting_mover(program, static_cast<int>(i)), isa, raster);
-    const std::vector<unsigned char> rgb = options.mode == "isolines"
+    std::vector<unsigned char> rgb = options.mode == "isolines"
                                                ? isoline_picture(raster, isolines::spacing(raster.metres_per_pixel()))
                                                : shaded_picture(raster, program);
+    if (options.parts) mark_parts(program, raster, isa, rgb);
     value_or_stop(write_png(options.out, size.width, size.height, rgb));
 }
 
@@ -85,6 +88,7 @@ void add_render(const Command& app, ExitCode& exit) {
     command.option("--size", options->size, "Pixels as WIDTHxHEIGHT; a pixel a millimetre when not given")
         .check([](const std::string& text) { return why_invalid_size(text); });
     command.option("--mode", options->mode, "shaded or isolines").one_of({"shaded", "isolines"}).show_default();
+    command.flag("--parts", options->parts, "Mark where balls start and drain, and how far flippers and plungers go");
     command.callback([options, &exit] {
         render(*options);
         exit = ExitCode::fine;

@@ -38,10 +38,11 @@ struct Launch {
 std::string why_invalid_launch(const std::string& text, Launch* launch = nullptr) {
     const Unit units[4] = {Unit::metre, Unit::metre, Unit::metre_per_second, Unit::metre_per_second};
     double values[4] = {};
+    if (const auto commas = std::count(text.begin(), text.end(), ','); commas != 3)
+        return fmt::format("\"{}\" has {} {}; a launch has four: x,y,vx,vy", text, commas + 1, commas == 0 ? "number" : "numbers");
     std::size_t begin = 0;
     for (int i = 0; i < 4; ++i) {
         const std::size_t end = i < 3 ? text.find(',', begin) : text.size();
-        if (end == text.npos) return fmt::format("\"{}\" is no launch: x,y,vx,vy", text);
         const std::string complaint = why_invalid_quantity(text.substr(begin, end - begin), units[i], from(-1e6), to(1e6), &values[i]);
         if (!complaint.empty()) return complaint;
         begin = end + 1;
@@ -62,7 +63,8 @@ std::vector<InputChange> read_inputs(const std::string& path, const Program& pro
         if (tick < 0 || tick > 1e15 || tick != std::floor(tick)) stop(fmt::format("\"{}\" is no tick", record.cells[0]));
         const auto input = std::find(program.inputs.begin(), program.inputs.end(), record.cells[1]);
         if (input == program.inputs.end())
-            stop(fmt::format("the table has no input \"{}\"; it has: {}", record.cells[1], fmt::join(program.inputs, ", ")));
+            stop(fmt::format("the table has no input \"{}\"; it has {}", record.cells[1],
+                             program.inputs.empty() ? "none" : fmt::format("{}", fmt::join(program.inputs, ", "))));
         const double value = value_or_stop(csv_number(path, record, 2));
         if (value != 0 && value != 1) stop(fmt::format("\"{}\" is neither 1 (pressed) nor 0 (released)", record.cells[2]));
         changes.push_back({static_cast<std::int64_t>(tick), static_cast<int>(input - program.inputs.begin()), value});

@@ -82,6 +82,7 @@ constexpr std::array codes{
     ErrorCode{"W0507", "start_outside", "a ball is to start where the domain says that none may be"},
     ErrorCode{"W0508", "start_in_drain", "a ball is to start in a drain"},
     ErrorCode{"W0509", "ball_too_large", "a ball is too large for the whole table"},
+    ErrorCode{"W0510", "pocket", "a place where slow balls come to rest and nothing plays them"},
 
     ErrorCode{"E0601", "unknown_step", "no such step in an editor script"},
 };

@@ -84,6 +84,7 @@ enum class Code : unsigned char {
     start_outside,
     start_in_drain,
     ball_too_large,
+    pocket,
 
     unknown_step,
 };

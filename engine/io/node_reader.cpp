@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/core/at.h"
+#include "engine/io/other_words.h"
 #include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
 #include "engine/scene/validate.h"
@@ -145,9 +146,11 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     if (!is_plain_key(key)) return;
     if (key.text == "use") return context.report(Code::use_unsupported, key.span, "use is not supported yet");
     const NodeType* type = find_node_type(context.catalog, key.text);
-    if (!type)
+    if (!type) {
+        const std::string_view other = other_word_for_node(key.text);
         return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text),
-                              suggestion(key.text, node_words(context.catalog)));
+                              other.empty() ? suggestion(key.text, node_words(context.catalog)) : std::string(other));
+    }
     const NodeType* parent_type = parent ? scene.find(parent)->type : nullptr;
     if (auto misplaced = misplaced_part(*type, parent_type, context.source.place(key.span))) return context.report(std::move(*misplaced));
     Node& node = scene.add(*type, parent);
@@ -161,9 +164,11 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
 }
 
 void report_unknown_key(ReadContext& context, const Node& node, const YamlNode& key, const YamlNode& field_key) {
-    const std::string blank = missing_blank(field_key.text);
-    context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text),
-                   blank.empty() ? suggestion(field_key.text, keys_of(*node.type)) : blank);
+    std::string hint = missing_blank(field_key.text);
+    if (hint.empty() && !node.is_record()) hint = other_word_for_field(field_key.text);
+    if (hint.empty()) hint = suggestion(field_key.text, keys_of(*node.type));
+    if (hint.empty()) hint = fmt::format("it has {}", fmt::join(keys_of(*node.type), ", "));
+    context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text), std::move(hint));
 }
 
 }  // namespace

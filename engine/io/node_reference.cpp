@@ -7,6 +7,7 @@
 
 #include "engine/core/numbers.h"
 #include "engine/io/field_json.h"
+#include "engine/io/quantity.h"
 #include "engine/io/value_writer.h"
 
 namespace pinfield {
@@ -169,6 +170,30 @@ std::string reference_markdown(const std::vector<const NodeType*>& types) {
     }
     if (const auto common = common_fields(types); !common.empty())
         out += "## Fields of every scene node\n\n" + field_table(common);
+    return out;
+}
+
+namespace {
+
+/// Calls tell(unit, its suffixes) for every unit that has some.
+template <class F>
+void each_unit(F&& tell) {
+    Unit last = Unit::none;
+    for (const UnitSuffix& suffix : unit_suffixes())
+        if (suffix.unit != last) tell(last = suffix.unit, suffixes_of(suffix.unit));
+}
+
+}  // namespace
+
+std::string units_text() {
+    std::string out = "Units that a number may carry; without one it is in the first column's:\n";
+    each_unit([&](Unit unit, const std::string& suffixes) { out += fmt::format("    {:<8} {}\n", symbol(unit), suffixes); });
+    return out;
+}
+
+std::string units_markdown() {
+    std::string out = "## Units\n\nA number without one is in the first column's.\n\n| unit | may be written |\n|---|---|\n";
+    each_unit([&](Unit unit, const std::string& suffixes) { out += fmt::format("| {} | {} |\n", symbol(unit), suffixes); });
     return out;
 }
 

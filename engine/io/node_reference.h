@@ -22,4 +22,8 @@ std::string fields_markdown(const NodeType& type);
 std::string children_text(const NodeType& type);
 std::string reference_text(const std::vector<const NodeType*>& types);
 
+/// What a number may be followed by, as text or Markdown.
+std::string units_text();
+std::string units_markdown();
+
 }  // namespace pinfield

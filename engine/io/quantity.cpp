@@ -135,6 +135,26 @@ std::optional<double> shifted(std::string_view digits, int power) {
     return parse_number(fmt::format("{}e{}", mantissa, exponent + power));
 }
 
+/// Signs and words for what has a suffix here.
+struct Spelling {
+    std::string_view theirs, suffix;
+};
+constexpr std::array spellings{
+    Spelling{"\u00b0", "deg"},       Spelling{"degree", "deg"},     Spelling{"degrees", "deg"},   Spelling{"radians", "rad"},
+    Spelling{"\"", "in"},           Spelling{"''", "in"},          Spelling{"\u2033", "in"},     Spelling{"inch", "in"},
+    Spelling{"inches", "in"},       Spelling{"'", "ft"},           Spelling{"\u2032", "ft"},     Spelling{"feet", "ft"},
+    Spelling{"\u00b5m", "um"},       Spelling{"\u03bcm", "um"},      Spelling{"metre", "m"},       Spelling{"metres", "m"},
+    Spelling{"meter", "m"},         Spelling{"meters", "m"},       Spelling{"millimetres", "mm"}, Spelling{"millimeters", "mm"},
+    Spelling{"centimetres", "cm"},  Spelling{"centimeters", "cm"}, Spelling{"sec", "s"},         Spelling{"seconds", "s"},
+    Spelling{"mps", "m/s"},         Spelling{"grams", "g"},
+};
+
+/// The suffix that a sign or word stands for, or nothing.
+std::string_view spelling_of(std::string_view word) {
+    const auto found = std::find_if(spellings.begin(), spellings.end(), [&](const Spelling& s) { return s.theirs == word; });
+    return found == spellings.end() ? std::string_view{} : found->suffix;
+}
+
 QuantityError unit_error(std::string_view text, std::string_view word, Unit unit) {
     const std::string allowed = suffixes_of(unit);
     const std::string units = allowed.empty() ? "write it without a unit" : fmt::format("units here: {}", allowed);
@@ -145,7 +165,8 @@ QuantityError unit_error(std::string_view text, std::string_view word, Unit unit
     std::vector<std::string_view> words;
     for (const UnitSuffix& s : suffixes)
         if (s.unit == unit) words.push_back(s.text);
-    const auto close = closest_match(word, words);
+    // In two letters anything is near anything: km is not mm.
+    const auto close = word.size() > 2 ? closest_match(word, words) : std::nullopt;
     return {Code::unknown_unit, fmt::format("{} is no unit", word),
             close ? fmt::format("did you mean {}?", *close) : units};
 }
@@ -178,6 +199,11 @@ QuantityResult read_quantity(std::string_view written, Unit unit) {
     const std::string_view trimmed = word.substr(std::min(word.find_first_not_of(' '), word.size()));
     const auto same = [&](const UnitSuffix& s) { return s.text == trimmed && s.unit == unit; };
     const auto suffix = std::find_if(suffixes.begin(), suffixes.end(), same);
+    if (const std::string_view meant = spelling_of(trimmed); !meant.empty() && parse_number(digits)) {
+        const QuantityResult right = read_quantity(fmt::format("{}{}", digits, meant), unit);
+        if (right) return QuantityError{Code::unknown_unit, fmt::format("{} is no unit here", trimmed), fmt::format("write {}{}", digits, meant)};
+        return right.error();
+    }
     if (digits.size() == 1 && digits[0] == '0' && !word.empty() && (word[0] == 'x' || word[0] == 'o'))
         return QuantityError{Code::malformed_number, fmt::format("{} is not a decimal number", text),
                              "write it in decimal digits"};

@@ -21,7 +21,8 @@ void report_unknown_section(ReadContext& context, const YamlNode& root, std::siz
                                   "indent two more");
     }
     std::vector<std::string_view> keys;
-    for (const Section* section : all_sections()) keys.push_back(section->key);
+    for (const Section* section : all_sections())
+        if (section->read) keys.push_back(section->key);
     context.report(Code::unknown_key, key.span, fmt::format("a table has no {}", key.text), suggestion(key.text, keys));
 }
 

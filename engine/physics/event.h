@@ -10,22 +10,11 @@
 namespace pinfield {
 
 enum class EventKind : unsigned char {
-    hit,         ///< a ball begins to touch something: however often that bounces, one touch is one hit (BallTouch in world.h)
-    kick,        ///< a part kicks a ball
-    ball_hit,    ///< two balls begin to touch
-    drain,       ///< a drain takes a ball
-    press,       ///< an input of a part is pressed
-    release,     ///< ... or let go
-    end_stop,    ///< a mover meets its end-stop: once, however often it rebounds
-    launch,      ///< a plunger is let go
-    quarantine,  ///< a ball's numbers are not finite: it is taken out
-    jam,         ///< a ball is caught between a mover that does not yield and something that does not either
-    held_back,   ///< a ball cannot start yet
-    leave,       ///< a touch that was told, by hit or ball_hit, is over
-    flood,       ///< one ball's hits and kicks in this tick were too many: the rest is not told
-    stuck        ///< a ball has hardly moved for three seconds, and no mover that is played touches it
+    hit, kick, ball_hit, drain, press, release, end_stop, launch, quarantine, jam, held_back, leave, flood, stuck
 };
 std::string_view name(EventKind kind);
+/// What happened, in a line for people.
+std::string_view meaning(EventKind kind);
 
 struct Event {
     std::int64_t tick = 0;

@@ -164,13 +164,6 @@ void try_put_back(WorldState& w, std::size_t i) {
     if (!w.memories[i].waiting) place_ball(w, i, ball.start_position, ball.start_velocity);
 }
 
-std::string_view name(EventKind kind) {
-    constexpr std::string_view names[] = {"hit",     "kick",        "ball_hit", "drain",      "press",
-                                          "release", "end_stop", "launch",   "quarantine", "jam",   "held_back",
-                                          "leave",   "flood",       "stuck"};
-    return at(names, kind);
-}
-
 World::World(ProgramPtr program, WorldOptions options) : state_(std::make_unique<State>()) {
     state_->options = options;
     state_->prepared = std::make_shared<const PreparedProgram>(std::move(program));

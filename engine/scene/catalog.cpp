@@ -32,6 +32,7 @@ const PartTraits& traits_of() {
     static const PartTraits traits = [] {
         PartTraits t{.role = P::role};
         if constexpr (requires { P::slides; }) t.slides = P::slides;
+        if constexpr (requires { P::only_customary; }) t.only_customary.assign(P::only_customary.begin(), P::only_customary.end());
         if constexpr (requires(const P& p) { p.customary_shape(); }) t.customary_shape = customary_shape<P>;
         return t;
     }();

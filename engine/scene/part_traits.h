@@ -1,5 +1,6 @@
 // What the compiler must know of a part's type; filled by catalog.cpp from the part's struct.
 #pragma once
+#include <string_view>
 #include <vector>
 
 #include "engine/core/geometry.h"
@@ -22,6 +23,8 @@ struct CustomaryShape {
 struct PartTraits {
     Role role = Role::solid;
     bool slides = false;  ///< of a mover: it slides along its local y axis; false: it turns about its local origin
+    /// Fields of nothing but the customary shape: children in its place leave them nothing to do.
+    std::vector<std::string_view> only_customary{};
     /// The shape of a part without children, from the part's packed block.
     CustomaryShape (*customary_shape)(const double* params) = nullptr;
 };

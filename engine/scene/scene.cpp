@@ -8,6 +8,7 @@
 
 #include "engine/core/at.h"
 #include "engine/core/trig.h"
+#include "engine/scene/part_traits.h"
 
 namespace pinfield {
 namespace {
@@ -32,6 +33,10 @@ const Value& Node::value(std::string_view key_of_field) const {
 
 bool Node::has_use_for(std::size_t field) const {
     const OnlyWith& with = type->fields[field].meta.only_with;
+    if (!children.empty() && type->part) {
+        const std::vector<std::string_view>& customary = type->part->only_customary;
+        if (std::find(customary.begin(), customary.end(), type->fields[field].key) != customary.end()) return false;
+    }
     return with.field.empty() || get<std::string>(with.field) == with.choice;
 }
 

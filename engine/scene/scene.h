@@ -34,7 +34,7 @@ struct Node {
 
     bool is_record() const { return type->meta.kind == NodeKind::record; }
     const Value& value(std::string_view key_of_field) const;
-    /// Does the field mean anything beside the values of the others (FieldMeta::only_with)?
+    /// Does the field mean anything beside the values of the others (FieldMeta::only_with) and the children (PartTraits::only_customary)?
     bool has_use_for(std::size_t field) const;
     template <class T>
     const T& get(std::string_view key_of_field) const { return std::get<T>(value(key_of_field)); }

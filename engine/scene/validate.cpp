@@ -50,6 +50,12 @@ void check_ids(const Scene& scene, std::size_t most, Diagnostics& findings) {
     }
 }
 
+std::string why_idle(const Node& node, const FieldType& field) {
+    const OnlyWith& with = field.meta.only_with;
+    if (with.field.empty()) return fmt::format("{} does nothing beside children: they are the shape of the {}", field.key, node.type->key());
+    return fmt::format("{} does nothing without {}: {}", field.key, with.field, with.choice);
+}
+
 void check_fields(const Scene& scene, std::size_t most, Diagnostics& findings) {
     const KnownNames known(scene);
     for (const NodeId id : scene.all()) {
@@ -58,10 +64,7 @@ void check_fields(const Scene& scene, std::size_t most, Diagnostics& findings) {
             if (findings.size() > most) return;
             const FieldType& field = node.type->fields[i];
             if (!node.fields[i].is_explicit) continue;
-            if (!node.has_use_for(i))
-                findings.push_back(diagnose(
-                    Code::idle_field, node.fields[i].where,
-                    fmt::format("{} does nothing without {}: {}", field.key, field.meta.only_with.field, field.meta.only_with.choice)));
+            if (!node.has_use_for(i)) findings.push_back(diagnose(Code::idle_field, node.fields[i].where, why_idle(node, field)));
             check_references(known, field, node.fields[i], most, findings);
         }
     }

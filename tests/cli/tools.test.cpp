@@ -233,3 +233,42 @@ TEST_CASE("test runs a table's own tests and exits 1 when one fails") {
     CHECK(results["passed"] == 1);
     CHECK(results["failed"] == 1);
 }
+
+TEST_CASE("the reference tells units and events, each kind that a run of the first table writes among them") {
+    const std::string reference = run_pinfield("nodes").out;
+    CHECK_THAT(reference, Catch::Contains("um, mm, cm, m, in, ft"));
+    const Scratch scratch;
+    const std::string log = scratch / "events.jsonl";
+    REQUIRE(run_pinfield("simulate " + first_table + " --seconds 5 --inputs scenes/tables/first_table.inputs.csv --events " + log).exit == 0);
+    for (const std::string& line : lines_of(slurp(log))) CHECK(reference.find("    " + json::parse(line)["kind"].get<std::string>() + " ") != std::string::npos);
+}
+
+TEST_CASE("render --parts changes the picture where spawns, drains and swings are, and nowhere else") {
+    const Scratch scratch;
+    const std::string table = "pinfield: 1\ntable: {size: [0.2, 0.4]}\nscene:\n";
+    const auto picture = [&](const std::string& nodes, const std::string& more) {
+        const std::string png = scratch / "p.png";
+        REQUIRE(run_pinfield("render " + scratch.write("t.yaml", table + nodes) + " -o " + png + more).exit == 0);
+        return slurp(png);
+    };
+    CHECK(picture("  - box: {at: [0.1, 0.1]}\n", "") == picture("  - box: {at: [0.1, 0.1]}\n", " --parts"));
+    for (const std::string node : {"  - spawn: {at: [0.1, 0.3]}\n", "  - drain: {at: [0.1, 0.1]}\n", "  - flipper: {at: [0.1, 0.2]}\n"})
+        CHECK(picture(node, "") != picture(node, " --parts"));
+}
+
+TEST_CASE("check --pockets warns of the two places in the gallery where balls were found to lie") {
+    const Outcome found = run_pinfield("check --pockets scenes/tables/gallery.yaml");
+    CHECK(found.exit == 0);
+    CHECK_THAT(found.out, Catch::Contains("[0.562, 0.961]") && Catch::Contains("[0.217, 0.610]") && Catch::Contains("W0510"));
+    CHECK(run_pinfield("check scenes/tables/gallery.yaml").out.empty());
+}
+
+TEST_CASE("a launch that is no launch, or cannot start, is told in its own words") {
+    CHECK_THAT(run_pinfield("simulate " + first_table + " --launch 1,2,3,4,5").err, Catch::Contains("has 5 numbers; a launch has four: x,y,vx,vy"));
+    const Outcome outside = run_pinfield("simulate " + first_table + " --launch 3,3,0,0");
+    CHECK(outside.exit == 1);
+    CHECK_THAT(outside.err, Catch::Contains("outside of cabinet") && Catch::Contains("with room for a ball"));
+    const Scratch scratch;
+    const std::string run = "simulate " + scratch.write("t.yaml", "pinfield: 1\nscene: []\n") + " --inputs " + scratch.write("i.csv", "tick,input,value\n1,x,1\n");
+    CHECK_THAT(run_pinfield(run).err, Catch::Contains("no input \"x\"; it has none"));
+}

@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <string_view>
+
 #include "engine/reflect/describe.h"
 #include "engine/scene/part_traits.h"
 #include "engine/sdf/forward.h"
@@ -12,6 +15,7 @@ struct Bumper {
     double threshold = 0.05;
 
     static constexpr Role role = Role::solid;
+    static constexpr std::array<std::string_view, 1> only_customary{"radius"};
     template <template <class> class Shape = sdf::Circle>
     Shape<double> customary_shape() const { return {radius}; }
 

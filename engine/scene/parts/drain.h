@@ -1,4 +1,7 @@
 #pragma once
+#include <array>
+#include <string_view>
+
 #include "engine/reflect/describe.h"
 #include "engine/scene/part_traits.h"
 #include "engine/sdf/forward.h"
@@ -10,6 +13,7 @@ struct Drain {
     Point<double> size{0.1, 0.02};
 
     static constexpr Role role = Role::sensor;
+    static constexpr std::array<std::string_view, 1> only_customary{"size"};
     template <template <class> class Shape = sdf::Box>
     Shape<double> customary_shape() const { return {size, 0.0}; }
 

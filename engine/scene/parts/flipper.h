@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/reflect/describe.h"
@@ -26,6 +28,7 @@ struct Flipper {
     std::vector<std::string> input;
 
     static constexpr Role role = Role::mover;
+    static constexpr std::array<std::string_view, 1> only_customary{"radius_pivot"};
     template <template <class> class Shape = sdf::UnevenCapsule>
     Shape<double> customary_shape() const { return {length, radius_pivot, radius_tip}; }
 

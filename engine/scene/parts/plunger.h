@@ -1,5 +1,7 @@
 #pragma once
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/reflect/describe.h"
@@ -18,6 +20,7 @@ struct Plunger {
 
     static constexpr Role role = Role::mover;
     static constexpr bool slides = true;
+    static constexpr std::array<std::string_view, 1> only_customary{"size"};
     template <template <class> class Shape = sdf::Box>
     Shape<double> customary_shape() const { return {size, 0.0}; }
     Similarity part_from_shape() const { return Similarity::translation({0, -0.5 * size.y}); }
@@ -39,7 +42,7 @@ struct Plunger {
                        .min = above(0),
                        .max = to(20),
                        .step = 0.1,
-                       .doc = "Of the rod when it was drawn back fully; proportionally less before."}),
+                       .doc = "Of the rod, not of the ball, when it was drawn back fully; proportionally less before."}),
                 field("pull_time", &P::pull_time, {.unit = Unit::second, .min = above(0), .step = 0.05, .doc = "To draw it back fully."}),
                 field("input", &P::input, {.meaning = Meaning::input, .doc = "Inputs that draw it back."})));
     }

@@ -31,7 +31,7 @@ struct Repeat {
 
     static constexpr auto describe() {
         return operation<Repeat>(
-            {.key = "repeat", .exactness = {.inside = Side::bound}, .children = {1, 1}, .doc = "A grid of copies of the child."},
+            {.key = "repeat", .exactness = {.inside = Side::bound}, .children = {1, 1}, .doc = "A grid of copies of the child, centred on its origin."},
             fields(field("count", &Repeat::count,
                          {.min = from(1),
                           .max = to(most_copies),
