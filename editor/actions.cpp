@@ -41,6 +41,7 @@ const std::vector<Action>& all_actions() {
         {"edit.nudge_far_right", "Nudge far right", "", "Shift+Right", "Move the selected nodes by ten steps of the grid.", true},
         {"edit.nudge_far_up", "Nudge far up", "", "Shift+Up", "Move the selected nodes by ten steps of the grid.", true},
         {"edit.nudge_far_down", "Nudge far down", "", "Shift+Down", "Move the selected nodes by ten steps of the grid.", true},
+        {"edit.preferences", "Preferences...", "Edit", "Ctrl+,", "How the editor looks and works; kept from one run to the next."},
         {"edit.source", "Type in the source", "Edit", "Ctrl+E", "Go to the selected node's lines in the table's text, and type there."},
         {"select.find", "Find in the tree", "Select", "Ctrl+F", "Type a part of an id or type above the tree; Enter goes to the first node found."},
         {"select.parent", "Select the parent", "Select", "Alt+Up", "Select what the selected node lies in."},
@@ -86,6 +87,20 @@ const std::vector<Action>& all_actions() {
         {"view.panels", "Table alone", "View", "F11", "Hide all panels, or show them again."},
         {"view.history", "History", "View", "F9", "Show or hide the steps that were made, below the inspector; a click goes to one."},
         {"view.palette", "Palette", "View", "F8", "Show or hide what can be added, below the tree."},
+
+        {"theme.dark", "Dark theme", "View", "", "Light words on dark panels."},
+        {"theme.light", "Light theme", "View", "", "Dark words on light panels."},
+        {"font.larger", "Larger text", "View", "Ctrl+=", "Larger text, and everything with it."},
+        {"font.smaller", "Smaller text", "View", "Ctrl+-", "Smaller text, and everything with it."},
+        {"font.usual", "Usual text", "View", "Ctrl+0", "Text of its usual size."},
+        {"grid.off", "No grid", "", "", "What is dragged takes any place."},
+        {"grid.tenth", "Grid of 0.1 mm", "", "", "What is dragged, and what arrow keys move, goes by tenths of a millimetre."},
+        {"grid.1mm", "Grid of 1 mm", "", "", "What is dragged, and what arrow keys move, goes by whole millimetres."},
+        {"grid.2mm", "Grid of 2 mm", "", "", "What is dragged, and what arrow keys move, goes by two millimetres."},
+        {"grid.5mm", "Grid of 5 mm", "", "", "What is dragged, and what arrow keys move, goes by five millimetres."},
+        {"grid.10mm", "Grid of 10 mm", "", "", "What is dragged, and what arrow keys move, goes by whole centimetres."},
+        {"preferences.usual", "Usual preferences", "", "", "Every preference as it was at first."},
+        {"preferences.close", "Close the preferences", "", "", "Done with the preferences."},
 
         {"help.keys", "Keys", "Help", "F1", "Every action and its key."},
 

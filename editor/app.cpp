@@ -5,6 +5,7 @@
 #include <csignal>
 #include <utility>
 
+#include "editor/keep_preferences.h"
 #include "editor/widgets/screen_text.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
@@ -69,7 +70,7 @@ App::App(AppState state, std::unique_ptr<Window> window, const AppOptions& optio
       outline_painter_(window_->gl()),
       last_seconds_(window_->seconds()) {
     window_->listen(options.listen);
-    ui_.theme = make_theme(static_cast<float>(window_->content_scale()), static_cast<float>(options.font_size));
+    follow_theme();
     state_.give_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
     state_.ask_clipboard = [] {
         const char* text = ImGui::GetClipboardText();
@@ -85,11 +86,13 @@ int App::run() {
         else frame();
     }
     if (!state_.quit && state_.keeper) state_.keeper->sync();
+    keep_preferences(state_);
     return state_.quit ? 0 : ending_signal;
 }
 
 std::string App::run(ScriptRunner script) {
     while (!script.done() && !state_.quit) frame(script.before_frame(state_, *this));
+    keep_preferences(state_);
     return script.failure();
 }
 
@@ -123,7 +126,17 @@ void App::frame(int ticks) {
     window_->present();
 }
 
+void App::follow_theme() {
+    const Preferences& wanted = state_.preferences;
+    if (wanted.theme == theme_ && wanted.font_size == font_size_) return;
+    theme_ = wanted.theme;
+    font_size_ = wanted.font_size;
+    ui_.theme = make_theme(static_cast<float>(window_->content_scale()), static_cast<float>(font_size_), theme_);
+    bridge_.renew_fonts();
+}
+
 void App::draw(int ticks, double seconds) {
+    follow_theme();
     look_around(seconds);
     shown_messages_ = state_.said;
     for (const WindowEvent& event : window_->take_events()) bridge_.queue(event);
@@ -154,6 +167,7 @@ void App::look_around(double seconds) {
     disk_seconds_ += seconds;
     if (disk_seconds_ < disk_period || state_.document.previewing()) return;
     disk_seconds_ = 0;
+    keep_preferences(state_);
     look_at_disk(state_);
 }
 
@@ -218,7 +232,8 @@ void App::paint() {
     const Canvas canvas = this->canvas();
     const auto whole = [](double x) { return static_cast<int>(x); };
     gl.Disable(GL_SCISSOR_TEST);
-    gl.ClearColor(palette::backdrop.r, palette::backdrop.g, palette::backdrop.b, 1);
+    const Rgb backdrop = palette::backdrop.rgb();
+    gl.ClearColor(backdrop.r, backdrop.g, backdrop.b, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
 
     const World& world = state_.session.world();
@@ -233,9 +248,11 @@ void App::paint() {
     TableLook look;
     look.isolines = state_.view.style == ViewStyle::isolines;
     look.materials = material_colors(*program);
-    look.floor_low = palette::hex(0x243447).rgb();
-    look.floor_high = palette::hex(0x1d2739).rgb();
-    look.backdrop = palette::backdrop.rgb();
+    look.floor_low = Tint(Role::floor_low).rgb();
+    look.floor_high = Tint(Role::floor_high).rgb();
+    look.backdrop = backdrop;
+    look.rim = Tint(Role::rim).rgb();
+    look.shadow = theme_ == ThemeChoice::light ? 0.55 : 1;
     table_painter_.draw(program, places, balls, look, canvas);
     paint_outlines(program, places, canvas);
     gl.Viewport(0, 0, whole(canvas.framebuffer.x()), whole(canvas.framebuffer.y()));

@@ -18,7 +18,6 @@ namespace pinfield::editor {
 
 struct AppOptions {
     int width = 1440, height = 900;
-    double font_size = 14;     ///< design pixels
     int ticks_per_frame = 0;   ///< 0: as many as the clock says
     bool listen = true;        ///< to the user's own mouse and keyboard; scripts do not
 };
@@ -55,6 +54,7 @@ private:
     App(AppState state, std::unique_ptr<Window> window, const AppOptions& options);
 
     double seconds_until_frame();
+    void follow_theme();
     /// Waits for events, at most so long, and does without a frame what must be done now and then.
     void rest(double seconds);
     void look_around(double seconds);
@@ -75,6 +75,8 @@ private:
     TablePainter table_painter_;
     OutlinePainter outline_painter_;
     Ui ui_;
+    ThemeChoice theme_ = ThemeChoice::dark;  ///< that ui_ has, with text of
+    double font_size_ = 0;
     Keyboard keyboard_;
     FramePace pace_;
     ShownTable shown_;

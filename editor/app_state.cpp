@@ -195,7 +195,7 @@ constexpr Handler handlers[] = {
     {"edit.redo", [](const AppState& s) { return s.document.can_redo() && !s.document.previewing(); }, redo},
     {"edit.deselect", always, deselect},
     {"select.find", always, [](AppState& s) { s.find_node = s.show_panels = true; }},
-    {"edit.source", always, [](AppState& s) { s.show_source = s.type_source = true; }},
+    {"edit.source", always, [](AppState& s) { s.preferences.show_source = s.type_source = true; }},
     {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
     {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},
     {"play.step", always, [](AppState& s) { s.session.single_step(); }},
@@ -204,18 +204,11 @@ constexpr Handler handlers[] = {
      [](AppState& s) { s.session.set_slow_motion(2 * s.session.slow_motion()); }},
     {"play.faster", [](const AppState& s) { return s.session.slow_motion() > 1; },
      [](AppState& s) { s.session.set_slow_motion(s.session.slow_motion() / 2); }},
-    {"view.shaded", always, [](AppState& s) { s.view.style = ViewStyle::shaded; }},
-    {"view.isolines", always, [](AppState& s) { s.view.style = ViewStyle::isolines; }},
     {"view.frame", always, frame_selection},
     {"view.all", always, [](AppState& s) { s.view.frame({{0, 0}, s.session.program().size}); }},
     {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
     {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
-    {"view.panels", always, [](AppState& s) { s.show_panels = !s.show_panels; }},
-    {"view.history", always, [](AppState& s) { s.show_history = !s.show_history; }},
-    {"view.palette", always, [](AppState& s) { s.show_palette = !s.show_palette; }},
-    {"view.changes", always, [](AppState& s) { s.show_changes = !s.show_changes; }},
     {"view.command_palette", always, [](AppState& s) { s.show_command_palette = !s.show_command_palette; }},
-    {"view.source", always, [](AppState& s) { s.show_source = !s.show_source; }},
     {"help.keys", always, [](AppState& s) { s.show_help = !s.show_help; }},
     {"prompt.save", has_prompt, answer_save},
     {"prompt.discard", has_prompt, answer_discard},
@@ -230,7 +223,7 @@ constexpr Handler handlers[] = {
 };
 
 const Handler& handler_of(std::string_view action) {
-    for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers()})
+    for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers(), preference_handlers()})
         for (const Handler& handler : list)
             if (handler.action == action) return handler;
     assert(false && "every action of the table has a handler");
@@ -260,13 +253,19 @@ AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
 }
 
 bool asks(const AppState& state) {
-    return state.prompt || state.recovery || has_dialog(state) || state.choosing || state.show_help || state.show_command_palette;
+    return state.prompt || state.recovery || has_dialog(state) || state.choosing || state.show_help || state.show_preferences ||
+           state.show_command_palette;
 }
 
 bool plays(const AppState& state) { return state.session.playing() && !asks(state); }
 
 bool enabled(const AppState& state, std::string_view action) {
     return !blocked(state, action) && handler_of(action).enabled(state);
+}
+
+bool is_on(const AppState& state, std::string_view action) {
+    const Handler& handler = handler_of(action);
+    return handler.on && handler.on(state);
 }
 
 void run(AppState& state, std::string_view action) {

@@ -8,6 +8,7 @@
 
 #include "editor/actions.h"
 #include "editor/document.h"
+#include "editor/preferences.h"
 #include "editor/recent.h"
 #include "editor/recovery.h"
 #include "editor/selection.h"
@@ -30,6 +31,7 @@ struct Prompt {
 struct Nudge {
     std::vector<NodeId> nodes;
     Vec2 steps{0, 0};                        ///< of the grid, all of them together
+    double grid = 0;                         ///< metres
     std::shared_ptr<const SourceText> left;  ///< the text they left
 };
 
@@ -58,7 +60,6 @@ struct AppState {
     View view;
     Selection selection;
     Tool tool = Tool::select;
-    bool snapping = true;       ///< drags stop where edges and middles of others are
     std::optional<PickedPoint> point{};
     NodeId entered;             ///< the operator or part whose children are clicked and dragged now; none: the table's own nodes
     std::optional<Vec2> pointer{};  ///< where the mouse is over the table, metres
@@ -80,18 +81,17 @@ struct AppState {
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
     std::optional<WorkKeeper> keeper;    ///< none: unsaved work is neither kept nor offered (scripts, tests)
     RecentFiles recent{};
+    Preferences preferences{};           ///< what outlives this run, as
+    PreferencesFile preferences_file{};  ///< keeps it
     std::optional<Recovery> recovery;    ///< unsaved work on offer, until recover.restore, recover.discard or recover.later
     std::vector<Orphan> more_to_recover; ///< offered after it
     bool choosing = false;      ///< File > New asks which table to begin with
     SourceDraft source{};       ///< what is typed in the source panel
-    bool show_source = false;
-    bool show_changes = true;   ///< lines that differ from the saved file are marked there
     bool type_source = false;   ///< the source panel is to take the keyboard
     bool quit = false;
     bool show_panels = true;    ///< false: the table alone
-    bool show_palette = true;
-    bool show_history = false;
     bool show_help = false;
+    bool show_preferences = false;  ///< the dialog
     bool show_command_palette = false;
     double real_time = 1;       ///< share of real time that the table was given of late; less than 1: the computer is too slow
 };
@@ -104,6 +104,8 @@ bool plays(const AppState& state);
 /// Whether an action can run now; run it. An unknown name is a programming error, a refused one leaves a message.
 bool enabled(const AppState& state, std::string_view action);
 void run(AppState& state, std::string_view action);
+/// Whether an action is a switch or one of several choices, and on.
+bool is_on(const AppState& state, std::string_view action);
 
 /// What the status line says from now on, until the text changes; a problem also until something else is selected or done, anything else
 /// for some seconds.

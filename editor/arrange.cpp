@@ -138,11 +138,12 @@ std::span<const Handler> arrange_handlers() {
         {"align.bottom", has_several, [](AppState& s) { align(s, Align::bottom); }},
         {"align.space_x", has_several, [](AppState& s) { distribute(s, 0); }},
         {"align.space_y", has_several, [](AppState& s) { distribute(s, 1); }},
-        {"tool.select", always, [](AppState& s) { s.tool = Tool::select; }},
-        {"tool.move", always, [](AppState& s) { s.tool = Tool::move; }},
-        {"tool.turn", always, [](AppState& s) { s.tool = Tool::turn; }},
-        {"tool.scale", always, [](AppState& s) { s.tool = Tool::scale; }},
-        {"tool.snap", always, [](AppState& s) { s.snapping = !s.snapping; }},
+        {"tool.select", always, [](AppState& s) { s.tool = Tool::select; }, [](const AppState& s) { return s.tool == Tool::select; }},
+        {"tool.move", always, [](AppState& s) { s.tool = Tool::move; }, [](const AppState& s) { return s.tool == Tool::move; }},
+        {"tool.turn", always, [](AppState& s) { s.tool = Tool::turn; }, [](const AppState& s) { return s.tool == Tool::turn; }},
+        {"tool.scale", always, [](AppState& s) { s.tool = Tool::scale; }, [](const AppState& s) { return s.tool == Tool::scale; }},
+        {"tool.snap", always, [](AppState& s) { s.preferences.snapping = !s.preferences.snapping; },
+         [](const AppState& s) { return s.preferences.snapping; }},
     };
     return handlers;
 }

@@ -13,7 +13,8 @@ constexpr int in_detail = -12, across_both = -6;  ///< titles are what people re
 
 /// It goes with a question that is open.
 bool is_answer(std::string_view action) {
-    return action.starts_with("prompt.") || action.starts_with("dialog.") || action.starts_with("recover.") || action.ends_with(".cancel");
+    return action.starts_with("prompt.") || action.starts_with("dialog.") || action.starts_with("recover.") || action.ends_with(".cancel") ||
+           action.ends_with(".close");
 }
 
 std::optional<FoundCommand> found_in(const Command& command, std::size_t index, std::string_view query) {

@@ -74,14 +74,15 @@ void nudge(AppState& state, const Vec2& steps) {
     Document& document = state.document;
     const auto text = [&] { return document.scene().sources.shared_main(); };
     const std::vector<NodeId> chosen = outermost(document.scene(), state.selection.nodes());
-    const bool goes_on = document.can_undo() && !document.can_redo() && state.nudge.left == text() && state.nudge.nodes == chosen;
+    const double grid = state.preferences.grid > 0 ? state.preferences.grid : default_grid;
+    const bool goes_on = document.can_undo() && !document.can_redo() && state.nudge.left == text() && state.nudge.nodes == chosen && state.nudge.grid == grid;
     const Vec2 all_steps = goes_on ? Vec2(state.nudge.steps + steps) : steps;
     if (goes_on) document.undo();
-    if (const auto why = move_by(document, chosen, default_grid * all_steps, default_grid)) {
+    if (const auto why = move_by(document, chosen, grid * all_steps, grid)) {
         if (goes_on) document.redo();
         return say(state, *why, true);
     }
-    state.nudge = {chosen, all_steps, text()};
+    state.nudge = {chosen, all_steps, grid, text()};
     say(state, move_label(document.scene(), chosen));
 }
 

@@ -11,6 +11,7 @@ struct Handler {
     std::string_view action;
     bool (*enabled)(const AppState&);
     void (*run)(AppState&);
+    bool (*on)(const AppState&) = nullptr;  ///< of a switch: whether it is on
 };
 
 inline bool always(const AppState&) { return true; }
@@ -20,5 +21,7 @@ inline bool has_selection(const AppState& s) { return !s.selection.empty() && !s
 std::span<const Handler> edit_handlers();
 /// Tools, alignment, mirroring: arrange.cpp.
 std::span<const Handler> arrange_handlers();
+/// How the editor looks and works, and what it shows: preference_actions.cpp.
+std::span<const Handler> preference_handlers();
 
 }  // namespace pinfield::editor

@@ -10,6 +10,7 @@
 
 #include "editor/app.h"
 #include "editor/starters.h"
+#include "editor/keep_preferences.h"
 #include "editor/keep_work.h"
 #include "editor/script.h"
 #include "engine/io/files.h"
@@ -24,10 +25,10 @@ using namespace pinfield::editor;
 enum ExitCode { fine = 0, wrong = 1, usage = 2, no_device = 3, by_signal = 128 };
 
 struct Arguments {
-    std::string file, script, screenshot, journals, size = "1440x900";
+    std::string file, script, screenshot, journals, preferences, size = "1440x900";
     int frames = -1;
     int ticks_per_frame = 0;
-    double font_size = 14;
+    std::optional<double> font_size;
 };
 
 int complain(int code, const std::string& text) {
@@ -64,7 +65,6 @@ int run_editor(const Arguments& arguments) {
     if (!read_size(arguments.size, options.width, options.height)) return complain(usage, "--size wants WIDTHxHEIGHT, such as 1280x800");
     // A run that nobody watches goes by ticks alone, never by the clock.
     const bool scripted = !arguments.script.empty() || arguments.frames >= 0;
-    options.font_size = arguments.font_size;
     options.ticks_per_frame = arguments.ticks_per_frame > 0 ? arguments.ticks_per_frame : scripted ? 16 : 0;
     options.listen = !scripted;
 
@@ -77,6 +77,10 @@ int run_editor(const Arguments& arguments) {
     }
     Result<AppState> state = first_state(arguments.file);
     if (!state) return complain(no_device, state.error().message);
+    if (!arguments.preferences.empty()) load_preferences(*state, arguments.preferences);
+    else if (!scripted) load_preferences(*state, preferences_folder());
+    if (arguments.font_size) state->preferences.font_size = *arguments.font_size;
+    state->preferences_file.pass_over(state->preferences);
     if (!arguments.journals.empty()) keep_work(*state, arguments.journals);
     else if (!scripted) keep_work(*state, journal_folder());
     if (!scripted && !journal_folder().empty()) state->recent = RecentFiles(journal_folder() + "/recent");
@@ -115,9 +119,10 @@ int main(int argc, char** argv) {
     cli.add_option("--size", arguments.size, "Window size, WIDTHxHEIGHT")->capture_default_str();
     cli.add_option("--ticks-per-frame", arguments.ticks_per_frame, "Ticks a frame; 0: by the clock, 16 with --script or --frames")
         ->check(CLI::Range(0, 100000));
-    cli.add_option("--font-size", arguments.font_size, "Size of the text, and of everything with it")
-        ->check(CLI::Range(8.0, 48.0))
-        ->capture_default_str();
+    cli.add_option("--preferences", arguments.preferences,
+                   "Folder in which preferences are kept; $XDG_CONFIG_HOME/pinfield, or none with --script or --frames");
+    cli.add_option("--font-size", arguments.font_size, "Size of the text, and of everything with it; for this run, in place of the preferred one")
+        ->check(CLI::Range(least_font_size, most_font_size));
     cli.set_version_flag("--version", "pinfield-editor " PINFIELD_VERSION);
     try {
         cli.parse(argc, argv);

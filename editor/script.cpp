@@ -48,6 +48,9 @@ std::optional<std::string> quantity(const ScriptStep& step, const AppState& stat
         if (step.field == "selection") return state.selection.empty() ? std::string("none") : state.document.scene().path(state.selection.primary());
         return {};
     }
+    if (step.node == "preferences")
+        for (const PreferenceField& field : preference_fields())
+            if (field.key == step.field) return field.text(state.preferences);
     const Node* node = state.document.scene().find(step.node);
     if (node && step.field == "hits") return count(state.session.hits_of(node->id));
     return {};

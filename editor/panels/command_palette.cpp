@@ -12,7 +12,6 @@ namespace {
 
 constexpr const char* popup = "##command_palette";
 constexpr int rows_seen = 12;
-constexpr Tint disabled = palette::hex(0x8a919d);
 
 bool pressed(ImGuiKey key, bool repeats = true) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), repeats); }
 
@@ -114,15 +113,15 @@ bool row(const AppState& state, const Theme& theme, CommandPalette& palette, std
     const std::string shortcut(type ? "" : find_action(command.action)->shortcut);
     if (!shortcut.empty()) {
         right -= ImGui::CalcTextSize(shortcut.c_str()).x;
-        list.AddText({right, y}, ink(can ? palette::quiet : disabled), shortcut.c_str());
+        list.AddText({right, y}, ink(can ? palette::quiet : palette::faint), shortcut.c_str());
         right -= theme.px(12);
     }
     const float left = place.x + theme.px(32);
-    const float end = lit_text(list, {left, y}, command.title, can ? found.places : std::vector<std::size_t>{}, can ? palette::text : disabled, right);
+    const float end = lit_text(list, {left, y}, command.title, can ? found.places : std::vector<std::size_t>{}, can ? palette::text : palette::faint, right);
     const float after = end + theme.px(10);
     if (right - after > theme.px(40)) {
         ImGui::PushFont(theme.small);
-        list.AddText({after, small_y}, ink(can ? palette::quiet : disabled), fitted(command.detail, right - after).c_str());
+        list.AddText({after, small_y}, ink(can ? palette::quiet : palette::faint), fitted(command.detail, right - after).c_str());
         ImGui::PopFont();
     }
     return clicked;

@@ -44,15 +44,14 @@ struct Columns {
 };
 
 /// The table keeps a quarter of the window. Where that leaves no room for the source too, this takes the inspector's place, then the tree's.
-Columns columns_in(float width, bool with_source, const Ui& ui) {
-    const Theme& theme = ui.theme;
+Columns columns_in(float width, const Preferences& preferences, const Theme& theme) {
     Columns columns;
     columns.widest = 0.4f * width / theme.scale;
-    columns.left = theme.px(std::min(ui.left, columns.widest));
-    columns.right = theme.px(std::min(ui.right, columns.widest));
-    if (!with_source) return columns;
+    columns.left = theme.px(std::min(preferences.left, columns.widest));
+    columns.right = theme.px(std::min(preferences.right, columns.widest));
+    if (!preferences.show_source) return columns;
     const float room = std::floor(width - std::max(width / 4, theme.px(240)));
-    const float wanted = std::min(theme.px(ui.source_width), room), least = std::min(theme.px(280), room);
+    const float wanted = std::min(theme.px(preferences.source_width), room), least = std::min(theme.px(280), room);
     if (columns.left + columns.right + least > room) columns.right = 0;
     if (columns.left + columns.right + least > room) columns.left = 0;
     columns.source = std::min(wanted, room - columns.left - columns.right);
@@ -63,13 +62,13 @@ Columns columns_in(float width, bool with_source, const Ui& ui) {
 void middle_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
     const Theme& theme = ui.theme;
     const float transport = theme.px(50);
-    const float bottom = ui.problems_open ? theme.px(std::min(ui.bottom, 0.5f * ImGui::GetIO().DisplaySize.y / theme.scale)) : 0;
+    const float bottom = ui.problems_open ? theme.px(std::min(state.preferences.problems_height, 0.5f * ImGui::GetIO().DisplaySize.y / theme.scale)) : 0;
     const float view_height = std::max(size.y - transport - bottom - (bottom > 0 ? grip : 0), 40.0f);
     viewport_panel(state, ui, position, {size.x, view_height});
     transport_bar(state, ui, {position.x, position.y + view_height}, {size.x, transport});
     if (bottom <= 0) return;
     const float y = position.y + view_height + transport;
-    splitter("##split_bottom", {position.x, y}, {size.x, grip}, false, -1, theme.scale, ui.bottom, 70, 500);
+    splitter("##split_bottom", {position.x, y}, {size.x, grip}, false, -1, theme.scale, state.preferences.problems_height, 70, 500);
     problems_panel(state, ui, {position.x, y + grip}, {size.x, bottom});
 }
 
@@ -96,12 +95,12 @@ void column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip, P
 
 /// The tree, and under it what can be added.
 void left_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
-    column(state, ui, position, size, grip, hierarchy_panel, {palette_panel, "##split_palette", ui.palette_height, 120, state.show_palette});
+    column(state, ui, position, size, grip, hierarchy_panel, {palette_panel, "##split_palette", state.preferences.palette_height, 120, state.preferences.show_palette});
 }
 
 /// What is selected, and under it what was done.
 void right_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
-    column(state, ui, position, size, grip, inspector_panel, {history_panel, "##split_history", ui.history_height, 80, state.show_history});
+    column(state, ui, position, size, grip, inspector_panel, {history_panel, "##split_history", state.preferences.history_height, 80, state.preferences.show_history});
 }
 
 /// Nobody types where nothing is seen.
@@ -117,6 +116,7 @@ void dialogs(AppState& state, Ui& ui) {
     prompt_dialog(state, ui);
     recovery_dialog(state, ui);
     shortcut_sheet(state, ui);
+    preferences_dialog(state, ui);
     command_palette(state, ui);
 }
 
@@ -138,7 +138,7 @@ void draw_panels(AppState& state, Ui& ui) {
     }
     const float top = menu_bar(state, ui);
     const float status = theme.px(28), grip = std::max(theme.px(3), 2.0f);
-    const Columns columns = columns_in(window.x - 3 * grip, state.show_source, ui);
+    const Columns columns = columns_in(window.x - 3 * grip, state.preferences, theme);
     const float left = columns.left, right = columns.right, source = columns.source;
     const float height = window.y - top - status;
     const float middle_x = left + (left > 0 ? grip : 0), end_x = window.x - right - (right > 0 ? grip : 0);
@@ -148,15 +148,15 @@ void draw_panels(AppState& state, Ui& ui) {
     const float widest = columns.widest;
     if (left > 0) {
         left_column(state, ui, {0, top}, {left, height}, grip);
-        splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, ui.left, 160, widest);
+        splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, state.preferences.left, 160, widest);
     }
     if (right > 0) {
         right_column(state, ui, {window.x - right, top}, {right, height}, grip);
-        splitter("##split_right", {end_x, top}, {grip, height}, true, -1, theme.scale, ui.right, 240, widest);
+        splitter("##split_right", {end_x, top}, {grip, height}, true, -1, theme.scale, state.preferences.right, 240, widest);
     }
     if (source > 0) {  // after the tree: what is under the mouse there has its lines marked here
         source_panel(state, ui, {source_x, top}, {source, height});
-        splitter("##split_source", {middle_end, top}, {grip, height}, true, -1, theme.scale, ui.source_width, 240, 2 * widest);
+        splitter("##split_source", {middle_end, top}, {grip, height}, true, -1, theme.scale, state.preferences.source_width, 240, 2 * widest);
     } else {
         leave_source(state, ui);
     }

@@ -34,7 +34,10 @@ void action_item(AppState& state, const Theme& theme, std::string_view name) {
                                                            : nullptr;
     if (step) label += ": " + *step;
     const std::string id = label + "##" + std::string(action.name), shortcut(action.shortcut);
-    if (ImGui::MenuItem(id.c_str(), shortcut.c_str(), false, enabled(state, action.name))) run(state, action.name);
+    const bool can = enabled(state, action.name);
+    if (!can) ImGui::PushStyleColor(ImGuiCol_Text, palette::faint);
+    if (ImGui::MenuItem(id.c_str(), shortcut.c_str(), is_on(state, action.name), can)) run(state, action.name);
+    if (!can) ImGui::PopStyleColor();
     tooltip(theme, action.doc);
 }
 

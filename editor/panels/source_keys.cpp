@@ -125,7 +125,7 @@ void source_keys(AppState& state, Ui& ui, int page) { Keys(state, ui.source, pag
 void follow_text(const AppState& state, SourcePanel& panel) {
     const std::shared_ptr<const SourceText>& text = state.source.text(state.document);
     const std::string& saved = state.document.saved_text();
-    const bool compare = state.show_changes && (panel.shown != text || !panel.changes || panel.compared_with != saved);
+    const bool compare = state.preferences.show_changes && (panel.shown != text || !panel.changes || panel.compared_with != saved);
     if (panel.shown != text) {
         const Splice change = panel.shown ? difference(panel.shown->text(), text->text()) : Splice{};
         const auto place = [&](std::size_t offset) { return snapped(text->text(), carried(offset, change)); };
@@ -139,7 +139,7 @@ void follow_text(const AppState& state, SourcePanel& panel) {
     if (compare) {
         panel.changes = line_marks(saved, text->text());
         panel.compared_with = saved;
-    } else if (!state.show_changes) {
+    } else if (!state.preferences.show_changes) {
         panel.changes.reset();
     }
     panel.typed = state.source.pending() ? difference(state.document.source().text(), text->text()) : Splice{};

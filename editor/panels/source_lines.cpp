@@ -11,11 +11,11 @@
 namespace pinfield::editor {
 namespace {
 
-constexpr Tint comment_color = palette::hex(0x8c9a86);
-constexpr Tint key_color = palette::hex(0xa9b8cb);
-constexpr Tint number_color = palette::hex(0xcbb2f2);
-constexpr Tint quoted_color = palette::hex(0xb7cf98);
-constexpr Tint anchor_color = palette::hex(0xe8a87c);
+constexpr Tint comment_color = Role::yaml_comment;
+constexpr Tint key_color = Role::yaml_key;
+constexpr Tint number_color = Role::yaml_number;
+constexpr Tint quoted_color = Role::yaml_quoted;
+constexpr Tint anchor_color = Role::yaml_anchor;
 
 int characters_in(std::string_view text) {
     return static_cast<int>(std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0u) != 0x80u; }));
@@ -280,7 +280,7 @@ private:
             const float x = right - theme_.px(9) - advance_ * static_cast<float>(number.size());
             const bool bright = panel_.focused && line == here;
             list_.AddText(theme_.mono, theme_.mono->FontSize, {x, y_of(line) + std::floor(0.5f * (height_ - theme_.mono->FontSize))},
-                          ink(bright ? palette::text : palette::quiet.faded(0.8f)), number.c_str());
+                          ink(bright ? palette::text : palette::faint), number.c_str());
         }
         if (panel_.changes) changes();
         for (const NodeId node : state_.selection.nodes()) {

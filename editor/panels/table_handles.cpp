@@ -143,7 +143,7 @@ void drag_handle(AppState& state, Ui& ui) {
     const NodeId node = ui.handle_drag.node();
     if (!state.document.scene().find(node)) return;
     const Vec2 p = shown_from_local(state, node).inverse() * ui.mouse_world;
-    tell(state, ui.handle_drag.update(state.document, p, ImGui::GetIO().KeyCtrl ? 0 : default_grid));
+    tell(state, ui.handle_drag.update(state.document, p, ImGui::GetIO().KeyCtrl ? 0 : state.preferences.grid));
 }
 
 void draw_handles(const AppState& state, const Ui& ui, ImDrawList& list) {

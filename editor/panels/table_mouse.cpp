@@ -97,9 +97,9 @@ void begin_drag(AppState& state, Ui& ui) {
 void drag_nodes(AppState& state, Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-    Vec2 grid = square_grid(io.KeyCtrl ? 0 : default_grid), hand = ui.mouse_world;
+    Vec2 grid = square_grid(io.KeyCtrl ? 0 : state.preferences.grid), hand = ui.mouse_world;
     ui.magnets.guides.clear();
-    if (state.snapping && !io.KeyCtrl && ui.pressed.own_from_hand.isIdentity()) {
+    if (state.preferences.snapping && !io.KeyCtrl && ui.pressed.own_from_hand.isIdentity()) {
         Vec2 delta = hand - ui.pressed_at;
         if (io.KeyShift) delta[std::fabs(delta.x()) < std::fabs(delta.y()) ? 0 : 1] = 0;
         const Box2& before = ui.magnets.box_before;

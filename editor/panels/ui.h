@@ -103,8 +103,6 @@ struct CommandPalette {
 
 struct Ui {
     Theme theme;
-    // Design pixels.
-    float left = 250, right = 324, bottom = 132, source_width = 400;
     bool problems_open = false;
     std::size_t problems_seen = 0;
 
@@ -114,7 +112,6 @@ struct Ui {
 
     NodeDrag drag;
     Palette palette;
-    float palette_height = 300, history_height = 220;  ///< design pixels
     std::size_t history_seen = 0;                      ///< steps done when the history was drawn last: it scrolls to where they end
     int starter = 0;             ///< chosen of the tables to begin with
     Magnets magnets;
@@ -142,6 +139,7 @@ struct Ui {
     NodeId menu_node;       ///< row of the tree whose menu is to open
     PathDialog dialog;
     int answer = 0;         ///< the button of a question that Enter presses
+    int preference = 0;     ///< the row of the preferences that arrows change
     bool frame_wanted = true;  ///< show the whole table in the next frame
 };
 
@@ -210,6 +208,7 @@ void recovery_dialog(AppState& state, Ui& ui);
 void starter_dialog(AppState& state, Ui& ui);
 void command_palette(AppState& state, Ui& ui);
 void shortcut_sheet(AppState& state, Ui& ui);
+void preferences_dialog(AppState& state, Ui& ui);
 
 /// All of them, laid out in the window.
 void draw_panels(AppState& state, Ui& ui);

@@ -176,7 +176,7 @@ void view_controls(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
 
 void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     // The table itself is painted under this window, before the panels.
-    begin_region("##viewport", position, size, Tint{0, 0, 0, 0}, {0, 0},
+    begin_region("##viewport", position, size, palette::backdrop.faded(0), {0, 0},
                  ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
     const Vec2 old_size = state.view.size;
     state.view.origin = vec(position);

@@ -38,6 +38,8 @@ uniform vec2 table;            // size
 uniform vec4 floor_low;
 uniform vec4 floor_high;
 uniform vec4 backdrop;
+uniform vec4 rim;
+uniform float shadow;          // how strong shadows are
 uniform int mover;             // 1: only the solid and its shadow, over what is there
 uniform int isolines;
 uniform float spacing;         // of isolines, metres
@@ -70,7 +72,7 @@ void main() {
     vec3 base = palette[clamp(material, 0, 63)];
     float cover = clamp(0.5 - d * pixels_per_metre, 0.0, 1.0);
     vec2 towards_light = vec2(light.x, -light.y) / (texels * metres_per_texel);
-    float shade = 0.52 * (1.0 - smoothstep(-0.0035, 0.0035, distance_at(at + 0.0075 * towards_light)));
+    float shade = 0.52 * shadow * (1.0 - smoothstep(-0.0035, 0.0035, distance_at(at + 0.0075 * towards_light)));
 
     if (mover == 1) {
         float alpha = max(cover, shade * 0.9);
@@ -91,20 +93,20 @@ void main() {
     vec3 floor_color = mix(floor_low.rgb, floor_high.rgb, height);
     float across = (world.x - middle.x) / max(middle.x, 1e-6);
     floor_color *= 1.06 - 0.16 * across * across;
-    floor_color *= 1.0 - 0.30 * exp(-max(d, 0.0) / 0.006);   // light does not reach into corners
+    floor_color *= 1.0 - 0.30 * shadow * exp(-max(d, 0.0) / 0.006);   // light does not reach into corners
     floor_color *= 1.0 - shade;
     vec3 c = mix(floor_color, solid_color(base, d, slope), cover);
 
     // The cabinet: the table's rectangle with a rim, on the window's backdrop.
-    float rim = 0.014;
-    float outer = rounded_box(world - middle, middle + rim, rim + 0.006);
+    float wide = 0.014;
+    float outer = rounded_box(world - middle, middle + wide, wide + 0.006);
     float inner = rounded_box(world - middle, middle, 0.006);
-    vec3 wood = vec3(0.110, 0.118, 0.138) * (1.0 + 0.25 * smoothstep(0.0, -rim, outer));
+    vec3 wood = rim.rgb * (1.0 + 0.25 * smoothstep(0.0, -wide, outer));
     wood += 0.10 * exp(-abs(outer) * pixels_per_metre / 1.2);
     float in_rim = clamp(0.5 + inner * pixels_per_metre, 0.0, 1.0);
     c = mix(c, wood, in_rim);
     float outside = clamp(0.5 + outer * pixels_per_metre, 0.0, 1.0);
-    vec3 ground = backdrop.rgb * (1.0 - 0.45 * exp(-max(outer, 0.0) / 0.020));
+    vec3 ground = backdrop.rgb * (1.0 - 0.45 * shadow * exp(-max(outer, 0.0) / 0.020));
     color = vec4(mix(c, ground, outside), 1.0);
 }
 )";

@@ -130,6 +130,7 @@ void TablePainter::prepare(const TableLook& look, const Canvas& canvas, const Fi
     field_shader_.set("light", light);
     field_shader_.set("metres_per_texel", metres_per_texel);
     field_shader_.set("pixels_per_metre", canvas.pixels_per_metre);
+    field_shader_.set("shadow", look.shadow);
     field_shader_.set("isolines", look.isolines ? 1 : 0);
     field_shader_.set("spacing", isolines::spacing(1 / canvas.pixels_per_metre));
     texture.bind();
@@ -157,6 +158,7 @@ void TablePainter::draw_table(const Program& program, const TableLook& look, con
     field_shader_.set("floor_low", look.floor_low, 1);
     field_shader_.set("floor_high", look.floor_high, 1);
     field_shader_.set("backdrop", look.backdrop, 1);
+    field_shader_.set("rim", look.rim, 1);
     field_shader_.set("mover", 0);
     gl_.Disable(GL_BLEND);
     quads_.clear();

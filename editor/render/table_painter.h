@@ -27,6 +27,8 @@ struct TableLook {
     bool isolines = false;
     std::vector<Rgb> materials;        ///< parallel to Program::materials
     Rgb floor_low, floor_high, backdrop;
+    Rgb rim{0.110f, 0.118f, 0.138f};  ///< the frame around the table
+    double shadow = 1;                ///< how strong shadows are
     bool operator==(const TableLook&) const = default;
 };
 

@@ -28,12 +28,12 @@ ImFont* add_font(const EmbeddedFont& font, float size) {
 void set_colors(ImGuiStyle& style) {
     using namespace palette;
     const auto set = [&](ImGuiCol slot, const Tint& color) { style.Colors[slot] = color; };
-    const Tint none{0, 0, 0, 0};
+    const Tint none = panel.faded(0);
     set(ImGuiCol_Text, text);
     set(ImGuiCol_TextDisabled, faint);
     set(ImGuiCol_WindowBg, panel);
     set(ImGuiCol_ChildBg, none);
-    set(ImGuiCol_PopupBg, hex(0x23272e));
+    set(ImGuiCol_PopupBg, raised);
     set(ImGuiCol_Border, line);
     set(ImGuiCol_BorderShadow, none);
     set(ImGuiCol_FrameBg, field);
@@ -43,9 +43,9 @@ void set_colors(ImGuiStyle& style) {
     set(ImGuiCol_TitleBgActive, bar);
     set(ImGuiCol_MenuBarBg, bar);
     set(ImGuiCol_ScrollbarBg, none);
-    set(ImGuiCol_ScrollbarGrab, hex(0x3a404b));
-    set(ImGuiCol_ScrollbarGrabHovered, hex(0x4a5260));
-    set(ImGuiCol_ScrollbarGrabActive, hex(0x596273));
+    set(ImGuiCol_ScrollbarGrab, Role::grab);
+    set(ImGuiCol_ScrollbarGrabHovered, faint.faded(0.6f));
+    set(ImGuiCol_ScrollbarGrabActive, faint);
     set(ImGuiCol_CheckMark, accent);
     set(ImGuiCol_SliderGrab, accent);
     set(ImGuiCol_SliderGrabActive, accent);
@@ -53,12 +53,12 @@ void set_colors(ImGuiStyle& style) {
     set(ImGuiCol_ButtonHovered, field_hot);
     set(ImGuiCol_ButtonActive, field_active);
     set(ImGuiCol_Header, accent_deep);
-    set(ImGuiCol_HeaderHovered, hex(0x2a303a));
+    set(ImGuiCol_HeaderHovered, Role::row_hot);
     set(ImGuiCol_HeaderActive, accent_deep);
     set(ImGuiCol_Separator, line);
     set(ImGuiCol_NavHighlight, accent);
     set(ImGuiCol_TextSelectedBg, accent.faded(0.35f));
-    set(ImGuiCol_ModalWindowDimBg, hex(0x0b0c0e).faded(0.6f));
+    set(ImGuiCol_ModalWindowDimBg, Tint(Role::dim, 0.6f));
     set(ImGuiCol_TableBorderLight, line);
     set(ImGuiCol_TableBorderStrong, line);
     set(ImGuiCol_TableRowBgAlt, text.faded(0.02f));
@@ -68,7 +68,8 @@ void set_colors(ImGuiStyle& style) {
 
 float Theme::px(float design_pixels) const { return std::round(design_pixels * scale); }
 
-Theme make_theme(float scale, float font_size) {
+Theme make_theme(float scale, float font_size, ThemeChoice choice) {
+    use_colors(choice);
     Theme theme;
     // The font's size carries everything else with it.
     theme.scale = scale * font_size / 14;
@@ -101,14 +102,17 @@ Theme make_theme(float scale, float font_size) {
     style.WindowTitleAlign = {0, 0.5f};
     style.ScaleAllSizes(theme.scale);
     style.PopupBorderSize = 1;
+    style.DisabledAlpha = 1;  // what is disabled has a color of its own, which can be read
     set_colors(style);
     ImGui::GetStyle() = style;
     return theme;
 }
 
 std::vector<Rgb> material_colors(const Program& program) {
-    // The default material is the table's own body, dark and calm; unnamed colors after it stay apart in lightness too.
-    static constexpr std::array<unsigned, 7> usual = {0x39424f, 0x8fa3b8, 0xd9a441, 0x5b8fb9, 0xc9c2b2, 0x7a6a9a, 0x4f9d90};
+    // The default material is the table's own body, calm and near the floor; unnamed colors after it stay apart in lightness too.
+    static constexpr std::array<unsigned, 7> on_dark = {0x39424f, 0x8fa3b8, 0xd9a441, 0x5b8fb9, 0xc9c2b2, 0x7a6a9a, 0x4f9d90};
+    static constexpr std::array<unsigned, 7> on_light = {0x76859a, 0x3f5d80, 0xc98a1b, 0x2f78ad, 0x8b7f63, 0x6f5a96, 0x2c8576};
+    const auto& usual = &colors_in_use() == &colors_of(ThemeChoice::light) ? on_light : on_dark;
     std::vector<Rgb> colors;
     for (std::size_t i = 0; i < program.materials.size(); ++i) {
         if (const auto color = parse_color(program.materials[i].color))

@@ -151,6 +151,16 @@ std::vector<WindowEvent> ImGuiBridge::begin_frame(double seconds) {
     return handed;
 }
 
+void ImGuiBridge::renew_fonts() {
+#if IMGUI_VERSION_NUM < 19200
+    // Before the first frame there is no texture, and that frame makes one.
+    const bool is_first = ImGui::GetFrameCount() == 0;
+    if (is_first) return;
+    ImGui_ImplOpenGL3_DestroyFontsTexture();
+    ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
+}
+
 void ImGuiBridge::draw() {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

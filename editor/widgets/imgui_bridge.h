@@ -26,6 +26,8 @@ public:
     /// Whether something is queued still, or a key or button held: Dear ImGui counts how long.
     bool wants_frames() const { return !pending_.empty() || !held_.empty(); }
     void draw();  ///< on the back buffer
+    /// The fonts are others than in the frame before.
+    static void renew_fonts();
 
 private:
     void hand_over(const WindowEvent& event);

@@ -203,13 +203,17 @@ bool begin_combo(const Theme& theme, const char* id, const char* preview, float 
     return open;
 }
 
+float dialog_button_width(const Theme& theme, const char* label) {
+    return std::max(theme.px(92), ImGui::CalcTextSize(label).x + theme.px(28));
+}
+
 bool dialog_button(const Theme& theme, const char* label, bool primary) {
-    ImGui::PushStyleColor(ImGuiCol_Button, primary ? palette::hex(0x2a6fa5) : palette::field_hot);
-    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, primary ? palette::hex(0x3380bc) : palette::field_active);
-    ImGui::PushStyleColor(ImGuiCol_ButtonActive, primary ? palette::hex(0x3b8fd0) : palette::hex(0x454e5d));
-    const float width = std::max(theme.px(92), ImGui::CalcTextSize(label).x + theme.px(28));
-    const bool clicked = ImGui::Button(label, {width, theme.px(30)});
-    ImGui::PopStyleColor(3);
+    ImGui::PushStyleColor(ImGuiCol_Button, primary ? Role::primary : palette::field);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, primary ? Role::primary_hot : palette::field_hot);
+    ImGui::PushStyleColor(ImGuiCol_ButtonActive, primary ? Role::primary_active : palette::field_active);
+    ImGui::PushStyleColor(ImGuiCol_Text, primary ? Role::on_primary : palette::text);
+    const bool clicked = ImGui::Button(label, {dialog_button_width(theme, label), theme.px(30)});
+    ImGui::PopStyleColor(4);
     return clicked;
 }
 

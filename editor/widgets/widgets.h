@@ -57,6 +57,7 @@ bool small_button(const Theme& theme, const char* label, std::string_view tip);
 bool begin_combo(const Theme& theme, const char* id, const char* preview, float width);
 
 /// A blue or a plain button of a dialog.
+float dialog_button_width(const Theme& theme, const char* label);
 bool dialog_button(const Theme& theme, const char* label, bool primary);
 
 }  // namespace pinfield::editor

@@ -29,7 +29,7 @@ scene:
 class Desk : public Screen {
 public:
     explicit Desk(const std::string& table = pair_of_discs) : Screen({1000, 800}), state_(opened_state(folder_, table)) {
-        state_.snapping = false;
+        state_.preferences.snapping = false;
         for (int i = 0; i < 3; ++i) frame();
     }
 
@@ -289,7 +289,7 @@ TEST_CASE("with the move tool no handle is in the way; the turn tool turns what 
 TEST_CASE("a drag snaps to what stands in line, unless Ctrl is held or snapping is off") {
     const auto dropped_at = [](bool snapping, bool control) {
         Desk desk;
-        desk.state().snapping = snapping;
+        desk.state().preferences.snapping = snapping;
         ImGui::GetIO().KeyCtrl = control;
         desk.drag(desk.on_table(0.3, 0.7), desk.on_table(0.3 + 0.0432, 0.7 - 0.1 + 0.0033));
         ImGui::GetIO().KeyCtrl = false;
@@ -300,7 +300,7 @@ TEST_CASE("a drag snaps to what stands in line, unless Ctrl is held or snapping 
     CHECK(free.y() == Approx(0.6033).margin(1e-3));
     const auto dropped_near = [](bool snapping) {
         Desk desk;
-        desk.state().snapping = snapping;
+        desk.state().preferences.snapping = snapping;
         desk.drag(desk.on_table(0.3, 0.7), desk.on_table(0.6, 0.504));
         return desk.place("a");
     };

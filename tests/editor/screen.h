@@ -11,13 +11,13 @@ namespace pinfield::editor::test {
 
 class Screen {
 public:
-    explicit Screen(ImVec2 size) {
+    explicit Screen(ImVec2 size, ThemeChoice theme = ThemeChoice::dark) {
         ImGui::CreateContext();
         ImGuiIO& io = ImGui::GetIO();
         io.IniFilename = nullptr;
         io.DisplaySize = size;
         for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
-        ui_.theme = make_theme(1, 14);
+        ui_.theme = make_theme(1, 14, theme);
         unsigned char* pixels = nullptr;
         int width = 0, height = 0;
         io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
