@@ -25,7 +25,7 @@ void boolean_control(const Row& row) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float top = place.y + 0.5f * (height - h);
     list.AddRectFilled({place.x, top}, {place.x + w, top + h},
-                       ink(on                       ? palette::hex(0x2f7ab3)
+                       ink(on                       ? Tint(Role::primary)
                            : ImGui::IsItemHovered() ? palette::field_active
                                                     : palette::field_hot),
                        r);
