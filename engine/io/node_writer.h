@@ -15,6 +15,11 @@ std::string flow_map(const std::vector<std::string>& entries);
 /// "key: value" of each field that differs from its default or is required; the common ones first, so that a line begins with id and place.
 std::vector<std::string> entries_of(const Node& node);
 
+/// "left: [Z, LeftShift]", "[Z, LeftShift]" and "key: value" of a test, as sections write them.
+std::string entry_of(const InputBinding& input);
+std::string keys_text(const std::vector<std::string>& keys);
+std::vector<std::string> entries_of(const TableTest& test);
+
 /// A list of scene nodes with all below them, a line a node where it has no children, each indented by `indent`.
 std::string write_nodes(const Scene& scene, const std::vector<NodeId>& nodes, std::size_t indent);
 

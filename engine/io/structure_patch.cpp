@@ -8,160 +8,22 @@
 #include "engine/core/at.h"
 #include "engine/io/field_patch.h"
 #include "engine/io/node_writer.h"
+#include "engine/io/rewriting.h"
+#include "engine/io/section_patch.h"
 #include "engine/io/value_writer.h"
-#include "engine/io/yaml_items.h"
 
 namespace pinfield {
 namespace {
-
-constexpr std::string_view no_room =
-    "the list stands in one line, where a comment or an anchor would be lost; give its items lines of their own first";
-
-/// Child of the top level, child of that child ...: where a node is, whatever it is called.
-using Indices = std::vector<int>;
-
-Indices indices_of(const Scene& scene, NodeId node) {
-    Indices out;
-    for (; node; node = scene.find(node)->parent) out.insert(out.begin(), scene.index_of(node));
-    return out;
-}
-
-/// Where the list of a node's children stands, or would stand.
-struct Children {
-    const YamlNode* owner = nullptr;  ///< the map one of whose entries is the node; null: the root of the file
-    std::size_t entry = 0;
-    const YamlNode* body = nullptr;   ///< the node's fields
-    const YamlNode* list = nullptr;   ///< null: there is none
-};
-
-const YamlNode* list_of(const YamlNode& body, std::string_view key) {
-    const std::size_t entry = body.kind == YamlKind::map ? body.entry_of(key) : body.entries();
-    return entry < body.entries() ? &body.value(entry) : nullptr;
-}
-
-/// The author's text while it changes, a step at a time.
-class Rewriting {
-public:
-    explicit Rewriting(const Reading& now) : now_(now), source_(now.scene.sources.shared_main()), tree_(now.tree) {}
-
-    const Reading& now() const { return now_; }  ///< as it was before the first change
-    const std::string& text() const { return source_->text(); }
-    const YamlNode& root() const { return *tree_->root; }
-    const YamlTree& tree() const { return *tree_; }
-    std::vector<TextPatch> patches() && { return std::move(patches_); }
-
-    /// Splices of the text as it is, in its order. Fails where they make it no YAML.
-    Result<void> write(std::vector<Splice> splices) {
-        std::string changed = text();
-        for (auto splice = splices.rbegin(); splice != splices.rend(); ++splice) {
-            const Span span = splice->replaced;
-            changed.replace(span.begin, span.end - span.begin, splice->text);
-            patches_.push_back({now_.source().place(span), std::move(splice->text)});
-        }
-        source_ = std::make_shared<const SourceText>(source_->name(), std::move(changed), source_->file());
-        tree_ = std::make_shared<const YamlTree>(read_yaml(*source_));
-        if (tree_->root) return {};
-        return failure(fmt::format("the text would not be read: {}", tree_->diagnostics.front().message));
-    }
-
-    Result<Children> children_of(const Indices& node) const {
-        Children out;
-        out.body = tree_->root;
-        out.list = list_of(root(), "scene");
-        for (const int index : node) {
-            if (!out.list || index >= static_cast<int>(out.list->items.size())) return failure("the text does not hold the node");
-            const YamlNode& item = *at(out.list->items, index);
-            for (const YamlNode* node_or_alias : {out.list, &item})
-                if (node_or_alias->references > 0 || node_or_alias->target) return tl::unexpected(shared_failure(*node_or_alias));
-            if (item.kind != YamlKind::map || item.entries() != 1) return failure("the text does not hold the node");
-            out = {&item, 0, &item.value(0), nullptr};
-            if (out.body->references > 0 || out.body->target) return tl::unexpected(shared_failure(*out.body));
-            out.list = list_of(*out.body, "children");
-        }
-        if (out.list && (out.list->references > 0 || out.list->target)) return tl::unexpected(shared_failure(*out.list));
-        return out;
-    }
-
-    Result<ItemText> item(const Indices& parent, int index) const {
-        const auto children = children_of(parent);
-        if (!children) return tl::unexpected(children.error());
-        if (!children->list || index >= static_cast<int>(children->list->items.size())) return failure("the text does not hold the node");
-        return item_text(text(), *children->list, static_cast<std::size_t>(index));
-    }
-
-    Result<void> insert(const Indices& parent, int index, ItemText item) {
-        const auto children = children_of(parent);
-        if (!children) return tl::unexpected(children.error());
-        item.block = with_breaks(item.block);
-        const bool first = !children->list || children->list->items.empty();
-        std::optional<std::vector<Splice>> splices;
-        if (!first) {
-            if (auto one = insert_item(text(), *children->list, static_cast<std::size_t>(index), item)) splices = {std::move(*one)};
-        } else {
-            const ListStyle style = list_style(text(), tree());
-            splices = children->owner ? insert_first_item(text(), *children->owner, children->entry, "children", item, style)
-                                      : insert_first_item(text(), *children->body, "scene", item, style);
-        }
-        if (!splices) return failure(std::string(no_room));
-        return write(std::move(*splices));
-    }
-
-    Result<void> remove(const Indices& parent, int index) {
-        const auto children = children_of(parent);
-        if (!children) return tl::unexpected(children.error());
-        return write(remove_item(text(), *children->list, static_cast<std::size_t>(index)));
-    }
-
-    NodeStyle style(const Node* beside) const {
-        return {list_style(text(), tree()), [this, beside](Unit unit) { return customary_number(now_.scene, beside, unit); }};
-    }
-
-private:
-    /// Lines of other files end as those of this one do.
-    std::string with_breaks(const std::string& lines) const {
-        const std::string_view brk = line_break(text());
-        std::string out;
-        for (const char c : lines)
-            if (c == '\n') out += brk;
-            else if (c != '\r') out += c;
-        return out;
-    }
-
-    const Reading& now_;
-    std::shared_ptr<const SourceText> source_;
-    std::shared_ptr<const YamlTree> tree_;
-    std::vector<TextPatch> patches_;
-};
 
 Indices parent_of(Indices node) {
     node.pop_back();
     return node;
 }
 
-Result<void> insert_material(Rewriting& text, const Node& material) {
-    const std::string entry = fmt::format("{}: {}", material.name, flow_map(explicit_entries(material, text.style(nullptr))));
-    const YamlNode& root = text.root();
-    const std::size_t section = root.entry_of("materials");
-    if (section == root.entries()) {
-        std::size_t index = 0;
-        for (std::size_t i = 0; i < root.entries(); ++i)
-            for (const std::string_view before : {"pinfield", "table", "physics"})
-                if (root.key(i).text == before) index = i + 1;
-        const bool block = root.style == YamlStyle::block;
-        const std::string brk(line_break(text.text()));
-        return text.write({insert_entry(text.text(), root, index,
-                                        block ? fmt::format("materials:{}  {}", brk, entry) : fmt::format("materials: {{{}}}", entry))});
-    }
-    const YamlNode& map = root.value(section);
-    if (map.target || map.references > 0) return tl::unexpected(shared_failure(map));
-    if (map.is_empty()) return text.write({insert_body(text.text(), map, entry)});
-    return text.write({insert_entry(text.text(), map, map.entries(), entry)});
-}
-
 Result<void> rewrite(Rewriting&, const Scene&, const SetField&) { return failure("a field is no structure"); }
 
 Result<void> rewrite(Rewriting& text, const Scene& scene, const Insert& edit) {
-    if (edit.nodes.front().type->meta.kind == NodeKind::record) return insert_material(text, edit.nodes.front());
+    if (edit.nodes.front().type->meta.kind == NodeKind::record) return insert_material(text, edit.nodes.front(), edit.index);
     const Node* beside = edit.parent ? scene.find(edit.parent) : nullptr;
     const std::string block = edit.text.empty() ? write_item(edit.nodes, text.style(beside)) : edit.text;
     return text.insert(indices_of(scene, edit.parent), edit.index, item_text(block));
@@ -272,6 +134,14 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Retype& edit) {
     }
     return {};
 }
+
+// Inputs and tests are no nodes: section_patch.cpp.
+Result<void> rewrite(Rewriting& text, const Scene&, const InsertInput& edit) { return insert_input(text, edit); }
+Result<void> rewrite(Rewriting& text, const Scene&, const RemoveInput& edit) { return remove_input(text, edit); }
+Result<void> rewrite(Rewriting& text, const Scene& scene, const SetKeys& edit) { return set_keys(text, scene, edit); }
+Result<void> rewrite(Rewriting& text, const Scene&, const InsertTest& edit) { return insert_test(text, edit); }
+Result<void> rewrite(Rewriting& text, const Scene&, const RemoveTest& edit) { return remove_test(text, edit); }
+Result<void> rewrite(Rewriting& text, const Scene&, const RenameTest& edit) { return rename_test(text, edit); }
 
 const YamlNode* node_at(const YamlTree& tree, Span span) {
     const auto found = std::find_if(tree.nodes.begin(), tree.nodes.end(), [&](const YamlNode& node) { return node.span == span; });

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/at.h"
+#include "engine/core/keys.h"
 #include "engine/scene/validate.h"
 
 namespace pinfield {
@@ -120,6 +121,65 @@ Reason why_impossible(const Scene& scene, const Rename& edit) {
     return {};
 }
 
+bool is_in(int index, std::size_t count) { return index >= 0 && index < static_cast<int>(count); }
+
+Reason no_such(std::string_view what) { return fmt::format("there is no such {}", what); }
+
+Reason why_no_keys(const std::vector<std::string>& keys) {
+    if (keys.empty()) return "an input needs a key";
+    for (const std::string& key : keys)
+        if (key_code(key) < 0) return fmt::format("no key of a keyboard is called {}", key);
+    return {};
+}
+
+/// The first field that refers to an input, as "bat: input".
+Reason user_of_input(const Scene& scene, const std::string& input) {
+    for (const NodeId id : scene.all()) {
+        const Node& node = *scene.find(id);
+        for (std::size_t i = 0; i < node.fields.size(); ++i)
+            if (node.type->fields[i].meta.meaning == Meaning::input && !identical(renamed(node.fields[i].value, input, ""), node.fields[i].value))
+                return fmt::format("{} is moved by {}", scene.path(id), input);
+    }
+    for (const TableTest& test : scene.tests)
+        if (std::any_of(test.inputs.begin(), test.inputs.end(), [&](const TableTest::Hand& hand) { return hand.input == input; }))
+            return fmt::format("{} presses {}", test.name.empty() ? "a test" : "the test " + test.name, input);
+    return {};
+}
+
+Reason why_impossible(const Scene& scene, const InsertInput& edit) {
+    if (edit.index < 0 || edit.index > static_cast<int>(scene.inputs.size())) return no_such("place among the inputs");
+    if (!is_name(edit.input.name)) return fmt::format("{} is not a valid id: use small letters, digits and _", edit.input.name);
+    if (is_id_taken(scene, edit.input.name, {})) return taken_id(edit.input.name);
+    return why_no_keys(edit.input.keys);
+}
+
+Reason why_impossible(const Scene& scene, const RemoveInput& edit) {
+    if (!is_in(edit.index, scene.inputs.size())) return no_such("input");
+    return user_of_input(scene, at(scene.inputs, edit.index).name);
+}
+
+Reason why_impossible(const Scene& scene, const SetKeys& edit) {
+    return is_in(edit.index, scene.inputs.size()) ? why_no_keys(edit.keys) : no_such("input");
+}
+
+Reason why_impossible(const Scene& scene, const InsertTest& edit) {
+    if (edit.index < 0 || edit.index > static_cast<int>(scene.tests.size())) return no_such("place among the tests");
+    if (edit.test.expectations.empty()) return "a test needs something to expect";
+    for (const TableTest::Hand& hand : edit.test.inputs)
+        if (std::none_of(scene.inputs.begin(), scene.inputs.end(), [&](const InputBinding& input) { return input.name == hand.input; }))
+            return fmt::format("no input is called {}", hand.input);
+    for (const TableTest::Expectation& expectation : edit.test.expectations) {
+        const std::string& what = expectation.quantity;
+        const bool counted = what == "escaped" || what == "drained";
+        const Node* node = what.ends_with(".hits") ? scene.find(std::string_view(what).substr(0, what.size() - 5)) : nullptr;
+        if (!counted && (!node || node->is_record())) return fmt::format("nothing called {} is measured", what);
+    }
+    return {};
+}
+
+Reason why_impossible(const Scene& scene, const RemoveTest& edit) { return is_in(edit.index, scene.tests.size()) ? Reason() : no_such("test"); }
+Reason why_impossible(const Scene& scene, const RenameTest& edit) { return is_in(edit.index, scene.tests.size()) ? Reason() : no_such("test"); }
+
 /// Every field of the scene that refers to a name of this sort takes another in its place.
 void follow_name(Scene& scene, Meaning sort, const std::string& from, const std::string& to) {
     for (const NodeId id : scene.all()) {
@@ -211,6 +271,32 @@ Edit done(Scene& scene, const Rename& edit) {
     if (!edit.from.empty()) follow_in_tests(scene, edit.from, edit.to);
     return back;
 }
+
+Edit done(Scene& scene, const InsertInput& edit) {
+    scene.inputs.insert(scene.inputs.begin() + edit.index, edit.input);
+    return RemoveInput{edit.index};
+}
+
+Edit done(Scene& scene, const RemoveInput& edit) {
+    InsertInput back{at(scene.inputs, edit.index), edit.index};
+    scene.inputs.erase(scene.inputs.begin() + edit.index);
+    return back;
+}
+
+Edit done(Scene& scene, const SetKeys& edit) { return SetKeys{edit.index, std::exchange(at(scene.inputs, edit.index).keys, edit.keys)}; }
+
+Edit done(Scene& scene, const InsertTest& edit) {
+    scene.tests.insert(scene.tests.begin() + edit.index, edit.test);
+    return RemoveTest{edit.index};
+}
+
+Edit done(Scene& scene, const RemoveTest& edit) {
+    InsertTest back{at(scene.tests, edit.index), edit.index, {}};
+    scene.tests.erase(scene.tests.begin() + edit.index);
+    return back;
+}
+
+Edit done(Scene& scene, const RenameTest& edit) { return RenameTest{edit.index, std::exchange(at(scene.tests, edit.index).name, edit.name)}; }
 
 }  // namespace
 

@@ -62,7 +62,35 @@ struct Rename {
     bool is_explicit = true; ///< of an id: whether the text is to say it
 };
 
-using Edit = std::variant<SetField, Insert, Remove, Move, Wrap, Unwrap, Retype, Rename>;
+/// Binds keys to a new input, which becomes input `index`; takes one out, that nothing refers to; binds it to other keys.
+struct InsertInput {
+    InputBinding input;
+    int index = 0;
+};
+struct RemoveInput {
+    int index = 0;
+};
+struct SetKeys {
+    int index = 0;
+    std::vector<std::string> keys;
+};
+
+/// Puts a test among the table's own, as test `index`; takes one out; gives it another name, or none.
+struct InsertTest {
+    TableTest test;
+    int index = 0;
+    std::string text{};  ///< the test as its author wrote it: {name: ...}; empty: it is written as all are
+};
+struct RemoveTest {
+    int index = 0;
+};
+struct RenameTest {
+    int index = 0;
+    std::string name;
+};
+
+using Edit = std::variant<SetField, Insert, Remove, Move, Wrap, Unwrap, Retype, Rename, InsertInput, RemoveInput, SetKeys, InsertTest,
+                          RemoveTest, RenameTest>;
 
 /// Why an edit cannot be applied (range, kind, contract, a name that is taken or that there is none of, a place that is not allowed), or
 /// nothing: what validate() would say of the scene with it.

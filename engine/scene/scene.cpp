@@ -207,12 +207,20 @@ void Scene::keep_ids_of(const Scene& before) {
     std::map<std::string, NodeId> old_ids;
     const std::map<NodeId, std::string> old_paths = before.paths(), new_paths = paths();
     for (const NodeId id : before.all()) old_ids.emplace(old_paths.at(id), id);
-    std::map<NodeId, NodeId> renamed;
-    std::uint32_t next = std::max(next_id_, before.next_id_);
+    std::map<NodeId, NodeId> known;
     for (const NodeId id : all()) {
         const auto match = old_ids.find(new_paths.at(id));
-        const bool known = match != old_ids.end() && before.find(match->second)->type->key() == find(id)->type->key();
-        renamed[id] = known ? match->second : NodeId{next++};
+        if (match != old_ids.end() && before.find(match->second)->type->key() == find(id)->type->key()) known[id] = match->second;
+    }
+    take_ids(known, before);
+}
+
+void Scene::take_ids(const std::map<NodeId, NodeId>& ids, const Scene& later) {
+    std::map<NodeId, NodeId> renamed;
+    std::uint32_t next = std::max(next_id_, later.next_id_);
+    for (const NodeId id : all()) {
+        const auto known = ids.find(id);
+        renamed[id] = known == ids.end() ? NodeId{next++} : known->second;
     }
     next_id_ = next;
     rename(renamed);
@@ -259,6 +267,20 @@ bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
 bool same_nodes(const Scene& a, const std::vector<NodeId>& x, const Scene& b, const std::vector<NodeId>& y) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end(),
                       [&](NodeId i, NodeId j) { return same_node(a, *a.find(i), b, *b.find(j)); });
+}
+
+bool same_input(const InputBinding& a, const InputBinding& b) { return a.name == b.name && a.keys == b.keys; }
+
+bool same_test(const TableTest& a, const TableTest& b) {
+    return a.name == b.name && a.run == b.run &&
+           std::equal(a.launches.begin(), a.launches.end(), b.launches.begin(), b.launches.end(),
+                      [](const auto& x, const auto& y) { return x.at == y.at && x.velocity == y.velocity; }) &&
+           std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(),
+                      [](const auto& x, const auto& y) { return x.input == y.input && x.times == y.times; }) &&
+           std::equal(a.expectations.begin(), a.expectations.end(), b.expectations.begin(), b.expectations.end(),
+                      [](const auto& x, const auto& y) {
+                          return x.quantity == y.quantity && x.comparison == y.comparison && x.value == y.value;
+                      });
 }
 
 Similarity parent_from_local(const Node& node) {

@@ -142,6 +142,8 @@ public:
     void take_ids_of(const Scene& twin) { take_ids(twin.all(), twin); }
     /// Gives the nodes the ids that all() gave for this scene earlier. `later`: a scene whose ids are not given out again.
     void take_ids(const std::vector<NodeId>& ids, const Scene& later);
+    /// Gives each node the id that `ids` has for it; those it has none for get ids that neither scene has had.
+    void take_ids(const std::map<NodeId, NodeId>& ids, const Scene& later);
 
 private:
     Node& insert(const NodeType& type, NodeId parent);
@@ -158,6 +160,9 @@ private:
 /// Same type, name, values bit for bit and children of the same sort; places in the text and ids do not count.
 bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y);
 bool same_nodes(const Scene& a, const std::vector<NodeId>& x, const Scene& b, const std::vector<NodeId>& y);
+
+bool same_input(const InputBinding& a, const InputBinding& b);
+bool same_test(const TableTest& a, const TableTest& b);
 
 /// local frame -> parent's frame, from the common fields at, turn, scale and flip.
 Similarity parent_from_local(const Node& node);

@@ -137,6 +137,26 @@ private:
         if (!e.from.empty()) named(e.from);
     }
 
+    void section(const char* key, bool is_empty, int neighbour) {
+        if (is_empty) named(key);
+        for (const int index : {neighbour, neighbour - 1})
+            if (std::string_view(key) == "inputs:" && index >= 0 && index < static_cast<int>(scene_.inputs.size()))
+                lines(at(scene_.inputs, index).where);
+            else if (index >= 0 && index < static_cast<int>(scene_.tests.size()) && std::string_view(key) == "tests:")
+                lines(at(scene_.tests, index).where);
+    }
+    void add(const InsertInput& e) { section("inputs:", scene_.inputs.empty(), e.index); }
+    void add(const RemoveInput& e) { section("inputs:", scene_.inputs.size() == 1, e.index); }
+    void add(const SetKeys& e) { lines(at(scene_.inputs, e.index).where); }
+    void add(const InsertTest& e) { section("tests:", scene_.tests.empty(), e.index); }
+    void add(const RemoveTest& e) {
+        section("tests:", scene_.tests.size() == 1, e.index);
+        const int last = *lines_.rbegin();
+        for (int line = *lines_.begin() - 1; line > 0 && is_aside(text_.line(line)); --line) lines_.insert(line);
+        for (int line = last + 1; line <= text_.line_count() && is_aside(text_.line(line)); ++line) lines_.insert(line);
+    }
+    void add(const RenameTest& e) { lines(at(scene_.tests, e.index).where); }
+
     const Scene& scene_;
     const SourceText& text_;
     Lines lines_;
@@ -191,7 +211,8 @@ struct Work {
 };
 
 std::string name_of(const Edit& edit) {
-    static constexpr const char* names[] = {"set", "insert", "remove", "move", "wrap", "unwrap", "retype", "rename"};
+    static constexpr const char* names[] = {"set", "insert", "remove", "move", "wrap", "unwrap", "retype", "rename",
+                                            "insert input", "remove input", "set keys", "insert test", "remove test", "rename test"};
     return names[edit.index()];
 }
 
@@ -229,7 +250,8 @@ void Work::one_edit(CounterRng& rng) {
     require(line == 0, told(fmt::format("changed line {}", line)));
     const auto comments = comments_of(before), later = comments_of(document.reading());
     const auto* field = std::get_if<SetField>(&*edit);
-    const bool takes_away = std::holds_alternative<Remove>(*edit) || std::holds_alternative<Retype>(*edit) || (field && !field->is_explicit);
+    const bool takes_away = std::holds_alternative<Remove>(*edit) || std::holds_alternative<Retype>(*edit) ||
+                            std::holds_alternative<RemoveInput>(*edit) || std::holds_alternative<RemoveTest>(*edit) || (field && !field->is_explicit);
     for (const auto& [comment, lines] : comments)
         if (!later.contains(comment)) require(takes_away && may_change.contains(*lines.begin()), told("lost " + comment));
     for (const auto& [comment, lines] : later)

@@ -49,6 +49,18 @@ void apply_if_valid(Scene& scene, const Edit& edit) {
     if (!why_invalid(scene, edit)) pinfield::apply(scene, edit);
 }
 
+TableTest some_test(const Scene& scene, CounterRng& rng) {
+    TableTest test;
+    if (chance(rng, 0.5)) test.name = "t" + std::to_string(rng.next_u64() % 20);
+    if (chance(rng, 0.5)) test.launches.push_back({Vec2(0.25, 0.5), Vec2(rng.uniform(), 0)});
+    test.run = 1 + below(rng, 5);
+    test.expectations.push_back({"drained", "<=", 3, "drained <= 3", {}});
+    for (const NodeId id : scene.all())
+        if (const Node& node = *scene.find(id); !node.is_record() && !node.name.empty() && chance(rng, 0.1))
+            test.expectations.push_back({node.name + ".hits", ">=", 1, node.name + ".hits >= 1", {}});
+    return test;
+}
+
 /// A scene grown by valid edits alone.
 Scene random_scene(CounterRng& rng) {
     Scene scene(catalog());
@@ -56,6 +68,8 @@ Scene random_scene(CounterRng& rng) {
         if (chance(rng, 0.6)) scene.add_material(material);
     for (const char* input : {"left", "right"})
         if (chance(rng, 0.6)) scene.inputs.push_back({input, {chance(rng, 0.5) ? "Z" : "Slash"}});
+    const int tests = chance(rng, 0.4) ? 1 + below(rng, 3) : 0;
+    for (int i = 0; i < tests; ++i) apply_if_valid(scene, InsertTest{some_test(scene, rng), 0, {}});
     const int nodes = 3 + below(rng, 14);
     for (int i = 0; i < nodes; ++i) {
         const NodeId parent = any_of(parents_in(scene), rng);
@@ -97,11 +111,8 @@ public:
         out += "scene:" + behind() + "\n";
         for (const NodeId node : scene.roots()) item(out, scene, node, dash_);
         above(out, 0);
-        if (!scene.inputs.empty()) {
-            out += "inputs:\n";
-            for (const InputBinding& input : scene.inputs)
-                out += fmt::format("  {}: [{}]", input.name, input.keys.front()) + behind() + "\n";
-        }
+        inputs(out, scene);
+        tests(out, scene);
         if (chance(rng_, 0.2)) out.pop_back();
         if (chance(rng_, 0.2)) out = with_crlf(out);
         return chance(rng_, 0.1) ? "\xEF\xBB\xBF" + out : out;
@@ -116,6 +127,41 @@ private:
         if (chance(rng_, 0.2 * comments_)) out += "\n";
     }
 
+    void inputs(std::string& out, const Scene& scene) {
+        if (scene.inputs.empty()) {
+            if (chance(rng_, 0.4)) out += any_of(std::array{"inputs:", "inputs: {}", "inputs: ~"}, rng_) + behind() + "\n";
+            return;
+        }
+        out += "inputs:\n";
+        for (const InputBinding& input : scene.inputs) {
+            const std::string format = any_of(std::array{"  {}: [{}]", "  {}: {}", "  {}:\n    - {}"}, rng_);
+            out += fmt::format(fmt::runtime(format), input.name, input.keys.front()) + behind() + "\n";
+        }
+    }
+
+    void tests(std::string& out, const Scene& scene) {
+        if (scene.tests.empty()) {
+            if (chance(rng_, 0.4)) out += any_of(std::array{"tests:", "tests: []", "tests: null"}, rng_) + behind() + "\n";
+            return;
+        }
+        const bool flow = chance(rng_, 0.2);
+        out += flow ? "tests: [" : "tests:" + behind() + "\n";
+        std::string_view comma;
+        for (const TableTest& test : scene.tests) {
+            const std::string body = fmt::format("run: {}, expect: [{}]", test.run, test.expectations.front().text);
+            const std::string name = test.name.empty() ? "" : fmt::format("name: {}", test.name);
+            if (flow) {
+                out += fmt::format("{}{{{}{}{}}}", std::exchange(comma, ", "), name, name.empty() ? "" : ", ", body);
+                continue;
+            }
+            above(out, dash_);
+            const std::string margin(static_cast<std::size_t>(dash_), ' ');
+            if (name.empty() || chance(rng_, 0.5)) out += fmt::format("{}- {{{}{}{}}}", margin, name, name.empty() ? "" : ", ", body) + behind() + "\n";
+            else out += fmt::format("{}- {}{}\n{}  expect: {}\n{}  run: {}\n", margin, name, behind(), margin, test.expectations.front().text, margin, test.run);
+        }
+        if (flow) out += "]" + behind() + "\n";
+    }
+
     static std::string with_crlf(const std::string& text) {
         std::string out;
         for (const char c : text) out += c == '\n' ? std::string("\r\n") : std::string(1, c);
@@ -124,7 +170,10 @@ private:
 
     void records(std::string& out, const Scene& scene) {
         if (chance(rng_, 0.5)) out += "table: {name: \"T\"}" + behind() + "\n";
-        if (scene.materials().empty()) return;
+        if (scene.materials().empty()) {
+            if (chance(rng_, 0.4)) out += any_of(std::array{"materials:", "materials: {}", "materials: null"}, rng_) + behind() + "\n";
+            return;
+        }
         out += "materials:" + behind() + "\n";
         for (const NodeId id : scene.materials()) {
             const Node& material = *scene.find(id);
@@ -235,6 +284,20 @@ std::optional<Edit> some_edit_of_records(const Scene& scene, CounterRng& rng) {
     }
 }
 
+std::optional<Edit> some_edit_of_lists(const Scene& scene, CounterRng& rng) {
+    const auto& inputs = scene.inputs;
+    const auto& tests = scene.tests;
+    const std::vector<std::string> keys = chance(rng, 0.5) ? std::vector<std::string>{"X"} : std::vector<std::string>{"Space", "LeftShift"};
+    switch (rng.next_u64() % 6) {
+        case 0: return InsertInput{{"i" + std::to_string(rng.next_u64() % 20), keys, {}}, below(rng, inputs.size() + 1)};
+        case 1: return inputs.empty() ? std::optional<Edit>() : RemoveInput{below(rng, inputs.size())};
+        case 2: return inputs.empty() ? std::optional<Edit>() : SetKeys{below(rng, inputs.size()), keys};
+        case 3: return InsertTest{some_test(scene, rng), below(rng, tests.size() + 1), {}};
+        case 4: return tests.empty() ? std::optional<Edit>() : RemoveTest{below(rng, tests.size())};
+        default: return tests.empty() ? std::optional<Edit>() : RenameTest{below(rng, tests.size()), chance(rng, 0.3) ? "" : "renamed"};
+    }
+}
+
 std::optional<Edit> some_edit_of_nodes(const Scene& scene, CounterRng& rng) {
     const std::vector<NodeId> nodes = nodes_in(scene);
     if (nodes.empty()) return {};
@@ -270,7 +333,9 @@ std::string random_table(CounterRng& rng) {
 
 std::optional<Edit> some_structural_edit(const Scene& scene, CounterRng& rng) {
     for (int attempt = 0; attempt < 30; ++attempt) {
-        std::optional<Edit> edit = chance(rng, 0.15) ? some_edit_of_records(scene, rng) : some_edit_of_nodes(scene, rng);
+        std::optional<Edit> edit = chance(rng, 0.15) ? some_edit_of_records(scene, rng)
+                                   : chance(rng, 0.1) ? some_edit_of_lists(scene, rng)
+                                                      : some_edit_of_nodes(scene, rng);
         if (edit && !why_invalid(scene, *edit)) return edit;
     }
     return {};

@@ -47,24 +47,32 @@ void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& s
         read_binding(context, scene, section.key(i), section.value(i).resolved());
 }
 
-std::string input_text(const InputBinding& input) {
-    std::vector<std::string> keys;
-    for (const std::string& key : input.keys) keys.push_back(write_text(key));
-    return fmt::format("{}: [{}]", input.name, fmt::join(keys, ", "));
-}
-
 std::string write(const Scene& scene) {
     std::vector<std::string> entries;
-    for (const InputBinding& input : scene.inputs) entries.push_back(input_text(input));
+    for (const InputBinding& input : scene.inputs) entries.push_back(entry_of(input));
     return entries.empty() ? std::string() : fmt::format("inputs: {}\n", flow_map(entries));
 }
 
 bool same(const Scene& a, const Scene& b) {
-    return std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(),
-                      [](const InputBinding& x, const InputBinding& y) { return x.name == y.name && x.keys == y.keys; });
+    return std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(), same_input);
 }
 
 }  // namespace
+}  // namespace pinfield::sections
+
+namespace pinfield {
+
+std::string keys_text(const std::vector<std::string>& keys) {
+    std::vector<std::string> out;
+    for (const std::string& key : keys) out.push_back(write_text(key));
+    return fmt::format("[{}]", fmt::join(out, ", "));
+}
+
+std::string entry_of(const InputBinding& input) { return fmt::format("{}: {}", input.name, keys_text(input.keys)); }
+
+}  // namespace pinfield
+
+namespace pinfield::sections {
 
 extern const Section inputs{
     .key = "inputs",

@@ -228,36 +228,10 @@ std::string hands_text(const std::vector<TableTest::Hand>& hands) {
     return flow_map(entries);
 }
 
-std::string test_text(const TableTest& test) {
-    std::vector<std::string> entries, launches, expectations;
-    for (const auto& launch : test.launches) launches.push_back(launch_text(launch));
-    for (const auto& e : test.expectations)
-        expectations.push_back(fmt::format("{} {} {}", e.quantity, e.comparison, to_text(e.value)));
-    if (!test.name.empty()) entries.push_back("name: " + write_text(test.name));
-    if (launches.size() == 1) entries.push_back("launch: " + launches[0]);
-    if (launches.size() > 1) entries.push_back(fmt::format("launch: [{}]", fmt::join(launches, ", ")));
-    if (!test.inputs.empty()) entries.push_back("inputs: " + hands_text(test.inputs));
-    entries.push_back("run: " + to_text(test.run));
-    entries.push_back(fmt::format("expect: [{}]", fmt::join(expectations, ", ")));
-    return flow_map(entries);
-}
-
 std::string write(const Scene& scene) {
     std::string out = scene.tests.empty() ? "" : "tests:\n";
-    for (const TableTest& test : scene.tests) out += fmt::format("  - {}\n", test_text(test));
+    for (const TableTest& test : scene.tests) out += fmt::format("  - {}\n", flow_map(entries_of(test)));
     return out;
-}
-
-bool same_test(const TableTest& a, const TableTest& b) {
-    return a.name == b.name && a.run == b.run &&
-           std::equal(a.launches.begin(), a.launches.end(), b.launches.begin(), b.launches.end(),
-                      [](const auto& x, const auto& y) { return x.at == y.at && x.velocity == y.velocity; }) &&
-           std::equal(a.inputs.begin(), a.inputs.end(), b.inputs.begin(), b.inputs.end(),
-                      [](const auto& x, const auto& y) { return x.input == y.input && x.times == y.times; }) &&
-           std::equal(a.expectations.begin(), a.expectations.end(), b.expectations.begin(), b.expectations.end(),
-                      [](const auto& x, const auto& y) {
-                          return x.quantity == y.quantity && x.comparison == y.comparison && x.value == y.value;
-                      });
 }
 
 FieldMeta unit_meta(Unit unit) {
@@ -282,6 +256,27 @@ std::string test_schema() {
 }
 
 }  // namespace
+}  // namespace pinfield::sections
+
+namespace pinfield {
+
+std::vector<std::string> entries_of(const TableTest& test) {
+    std::vector<std::string> entries, launches, expectations;
+    for (const auto& launch : test.launches) launches.push_back(sections::launch_text(launch));
+    for (const auto& e : test.expectations)
+        expectations.push_back(fmt::format("{} {} {}", e.quantity, e.comparison, to_text(e.value)));
+    if (!test.name.empty()) entries.push_back("name: " + write_text(test.name));
+    if (launches.size() == 1) entries.push_back("launch: " + launches[0]);
+    if (launches.size() > 1) entries.push_back(fmt::format("launch: [{}]", fmt::join(launches, ", ")));
+    if (!test.inputs.empty()) entries.push_back("inputs: " + sections::hands_text(test.inputs));
+    entries.push_back("run: " + to_text(test.run));
+    entries.push_back(fmt::format("expect: [{}]", fmt::join(expectations, ", ")));
+    return entries;
+}
+
+}  // namespace pinfield
+
+namespace pinfield::sections {
 
 extern const Section tests{
     .key = "tests",

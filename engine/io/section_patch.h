@@ -1,0 +1,20 @@
+// Materials, inputs and tests put into the author's text and taken out, in sections that may be empty or not yet there. Indices are those
+// of the section's entries.
+#pragma once
+#include "engine/core/result.h"
+#include "engine/io/rewriting.h"
+#include "engine/scene/edit.h"
+
+namespace pinfield {
+
+Result<void> insert_material(Rewriting& text, const Node& material, int index);
+
+Result<void> insert_input(Rewriting& text, const InsertInput& edit);
+Result<void> remove_input(Rewriting& text, const RemoveInput& edit);
+Result<void> set_keys(Rewriting& text, const Scene& scene, const SetKeys& edit);
+
+Result<void> insert_test(Rewriting& text, const InsertTest& edit);
+Result<void> remove_test(Rewriting& text, const RemoveTest& edit);
+Result<void> rename_test(Rewriting& text, const RenameTest& edit);
+
+}  // namespace pinfield
