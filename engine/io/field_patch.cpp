@@ -133,16 +133,6 @@ void count_spellings(const Scene& scene, const Node& node, Unit unit, Spellings&
     }
 }
 
-/// Where a new field goes: the id first and the place behind it, as people write nodes; others before the children, which are the longest
-/// part of a node and stay last.
-std::size_t index_for_new_field(const YamlNode& map, const FieldType& field) {
-    if (field.common && field.meta.meaning == Meaning::id) return 0;
-    if (field.common && field.key == "at") return map.entries() > 0 && map.key(0).text == "id" ? 1 : 0;
-    for (std::size_t i = 0; i < map.entries(); ++i)
-        if (map.key(i).text == "children") return i;
-    return map.entries();
-}
-
 /// A new section for a record that the text does not mention.
 Splice new_section(const std::string& text, const YamlNode& root, const Node& record, const std::string& entry) {
     std::size_t index = 0;
@@ -152,6 +142,14 @@ Splice new_section(const std::string& text, const YamlNode& root, const Node& re
 }
 
 }  // namespace
+
+std::size_t index_for_new_field(const YamlNode& map, const FieldType& field) {
+    if (field.common && field.meta.meaning == Meaning::id) return 0;
+    if (field.common && field.key == "at") return map.entries() > 0 && map.key(0).text == "id" ? 1 : 0;
+    for (std::size_t i = 0; i < map.entries(); ++i)
+        if (map.key(i).text == "children") return i;
+    return map.entries();
+}
 
 EntryOfNode find_entry(const YamlTree& tree, const Node& node) {
     if (!node.key) return {};

@@ -27,6 +27,10 @@ Failure shared_failure(const YamlNode& shared);
 /// whole file; empty for a bare number.
 std::string customary_number(const Scene& scene, const Node* node, Unit unit);
 
+/// Where a new field goes: the id first and the place behind it, as people write nodes; others before the children, which are the longest
+/// part of a node and stay last.
+std::size_t index_for_new_field(const YamlNode& map, const FieldType& field);
+
 /// The smallest replacement that gives a scalar or a list another value, in the style it has.
 Splice value_splice(const std::string& text, const FieldType& field, const YamlNode& node, const Value& before, const Value& after);
 

@@ -99,18 +99,21 @@ std::string without_break(std::string text) {
     return text;
 }
 
+/// A scalar as its author wrote it, where that may stand in one line between brackets.
+std::string scalar_in_line(std::string_view text, const YamlNode& node) {
+    const std::string_view written = slice(text, node.span);
+    const bool plain = node.style == YamlStyle::plain;
+    const bool fits = written.find('\n') == std::string_view::npos && node.style != YamlStyle::block_text &&
+                      (!plain || written.find_first_of(",[]{}") == std::string_view::npos);
+    return fits ? std::string(written) : write_text(node.text, plain ? YamlStyle::plain : YamlStyle::double_quoted);
+}
+
 /// Everything in one line with the author's own scalars; nothing where an anchor would be lost.
 std::optional<std::string> flow_of(std::string_view text, const YamlNode& node) {
     if (node.anchored) return {};
     if (node.kind == YamlKind::alias) return std::string(slice(text, node.span));
     if (node.kind == YamlKind::null) return "{}";
-    if (node.kind == YamlKind::scalar) {
-        const std::string_view written = slice(text, node.span);
-        const bool plain = node.style == YamlStyle::plain;
-        const bool fits = written.find('\n') == std::string_view::npos && node.style != YamlStyle::block_text &&
-                          (!plain || written.find_first_of(",[]{}") == std::string_view::npos);
-        return fits ? std::string(written) : write_text(node.text, plain ? YamlStyle::plain : YamlStyle::double_quoted);
-    }
+    if (node.kind == YamlKind::scalar) return scalar_in_line(text, node);
     const bool map = node.kind == YamlKind::map;
     std::string out;
     for (std::size_t i = 0; i < node.items.size(); ++i) {
@@ -151,6 +154,18 @@ std::vector<Span> pieces_of(std::string_view text, const YamlNode& list) {
 std::size_t after_colon(std::string_view text, const YamlNode& key) { return text.find(':', key.span.end) + 1; }
 
 }  // namespace
+
+std::string copy_in_line(std::string_view text, const YamlNode& node, Aliases aliases) {
+    if (node.kind == YamlKind::alias)
+        return aliases == Aliases::kept ? std::string(slice(text, node.span)) : copy_in_line(text, *node.target, aliases);
+    if (node.kind == YamlKind::null) return "{}";
+    if (node.kind == YamlKind::scalar) return scalar_in_line(text, node);
+    const bool map = node.kind == YamlKind::map;
+    std::string out;
+    for (std::size_t i = 0; i < node.items.size(); ++i)
+        out += fmt::format("{}{}", i == 0 ? "" : map && i % 2 == 1 ? ": " : ", ", copy_in_line(text, *node.items[i], aliases));
+    return map ? fmt::format("{{{}}}", out) : fmt::format("[{}]", out);
+}
 
 std::string indented_lines(std::string_view lines, std::size_t column) {
     return moved_lines(lines, static_cast<std::ptrdiff_t>(column), 0, true);

@@ -49,6 +49,10 @@ std::optional<std::vector<Splice>> insert_first_item(std::string_view text, cons
 /// Comments in a node's text or between `begin` and `end`, each without its line break.
 std::vector<Span> comments_in(std::string_view text, Span whole, const YamlNode& node);
 
+/// A node once more, in one line: without its anchors, which stay where they are. Aliases stay aliases, or say what they stand for.
+enum class Aliases : unsigned char { kept, written_out };
+std::string copy_in_line(std::string_view text, const YamlNode& node, Aliases aliases);
+
 /// Every line that is not empty moved to the right.
 std::string indented_lines(std::string_view lines, std::size_t column);
 
