@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int version = 1;
+constexpr int version = 2;  // 1 knew no drafts
 constexpr std::string_view head_word = "pinfield journal ";
 constexpr std::string_view record_word = "record ";
 constexpr std::string_view ending = ".journal";
@@ -129,6 +129,7 @@ Record record_at(std::string_view bytes) {
     work.edits = static_cast<std::int64_t>(fields.number());
     work.time = static_cast<std::int64_t>(fields.number());
     for (std::string* text : {&work.table, &work.last_label, &work.base, &work.text}) *text = fields.text();
+    if (!fields.at_end()) work.draft = fields.text();
     if (fields.failed() || !fields.at_end()) return {};
     return {std::move(work), record_word.size() + 2 * digits + payload.size()};
 }
@@ -178,6 +179,7 @@ std::string journal_head() { return fmt::format("{}{}\n", head_word, version); }
 std::string journal_record(const UnsavedWork& work) {
     std::string payload = hex16(static_cast<std::uint64_t>(work.edits)) + hex16(static_cast<std::uint64_t>(work.time));
     for (const std::string* text : {&work.table, &work.last_label, &work.base, &work.text}) payload += counted(*text);
+    if (work.draft) payload += counted(*work.draft);
     return std::string(record_word) + hex16(payload.size()) + Hash64().feed(payload).hex() + payload;
 }
 

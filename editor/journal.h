@@ -11,6 +11,7 @@
 // the journal is orphaned; by then the name may stand for another file, so that is asked after the lock, never before it.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,7 @@ struct UnsavedWork {
     std::int64_t edits = 0;  ///< steps between both
     std::string last_label;  ///< of the last of them: "Move pop"
     std::int64_t time = 0;   ///< when it was written: seconds since 1970
+    std::optional<std::string> draft{};  ///< what is typed over the text and is not it, because it does not read (yet)
 
     bool operator==(const UnsavedWork&) const = default;
 };

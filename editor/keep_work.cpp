@@ -28,7 +28,7 @@ void offer_next(AppState& state) {
     while (!state.recovery && !state.more_to_recover.empty()) {
         Orphan orphan = std::move(state.more_to_recover.front());
         state.more_to_recover.erase(state.more_to_recover.begin());
-        if (orphan.work.text == state.document.source().text()) remove_orphan(orphan.file);
+        if (orphan.work.text == state.document.source().text() && !orphan.work.draft) remove_orphan(orphan.file);
         else state.recovery = recovery_of(std::move(orphan), state.document);
     }
 }
@@ -58,7 +58,7 @@ void keep_work(AppState& state, const std::string& folder) {
 
 void keep_safe(AppState& state) {
     if (!state.keeper || state.quit) return;
-    if (const auto complaint = state.keeper->follow(state.document, steady_seconds())) say(state, *complaint, true);
+    if (const auto complaint = state.keeper->follow(state.document, steady_seconds(), state.source.pending_text())) say(state, *complaint, true);
 }
 
 void offer_work(AppState& state) {
@@ -72,6 +72,11 @@ void restore_work(AppState& state) {
     const UnsavedWork& work = recovery.orphan.work;
     state.document.restore(work.text, static_cast<std::size_t>(work.edits));
     say(state, "Restored: Save keeps it, Undo takes it back");
+    if (work.draft) {
+        state.source.restore(state.document, *work.draft);
+        state.preferences.show_source = true;
+        say(state, "Restored, with what was typed in the source and does not read yet");
+    }
     keep_safe(state);
     if (state.keeper->sync()) remove_orphan(recovery.orphan.file);
 }

@@ -41,34 +41,36 @@ std::string table_path(const std::string& path) {
     return error ? path : whole.string();
 }
 
-UnsavedWork unsaved_work(const Document& document) {
+UnsavedWork unsaved_work(const Document& document, const std::shared_ptr<const SourceText>& draft) {
     const std::string* const label = document.undo_label();
     return {table_path(document.path()),
             document.saved_text(),
             text_of(document)->text(),
             static_cast<std::int64_t>(document.unsaved_steps()),
             label ? *label : std::string(),
-            seconds_since_1970()};
+            seconds_since_1970(),
+            draft ? std::optional(draft->text()) : std::nullopt};
 }
 
-bool WorkKeeper::follows(const Document& document) const {
-    return text_ == text_of(document) && table_ == document.path() && base_ == document.saved_text();
+bool WorkKeeper::follows(const Document& document, const std::shared_ptr<const SourceText>& draft) const {
+    return text_ == text_of(document) && draft_ == draft && table_ == document.path() && base_ == document.saved_text();
 }
 
-std::optional<std::string> WorkKeeper::follow(const Document& document, double now) {
-    if (!document.dirty()) {
+std::optional<std::string> WorkKeeper::follow(const Document& document, double now, const std::shared_ptr<const SourceText>& draft) {
+    if (!document.dirty() && !draft) {
         if (text_) drop();
         return {};
     }
-    if (!follows(document)) {
+    if (!follows(document, draft)) {
         text_ = text_of(document);
+        draft_ = draft;
         table_ = document.path();
         base_ = document.saved_text();
         due_ = true;
     }
     if ((!due_ && !unsynced_) || (failing_ && now < retry_at_)) return {};
     Result<void> kept;
-    if (due_) kept = journal_.write(unsaved_work(document));
+    if (due_) kept = journal_.write(unsaved_work(document, draft_));
     if (kept && due_) {
         due_ = false;
         unsynced_ = true;
@@ -93,6 +95,7 @@ bool WorkKeeper::sync() {
 void WorkKeeper::drop() {
     journal_.drop();
     text_.reset();
+    draft_.reset();
     due_ = unsynced_ = failing_ = false;
 }
 
@@ -102,7 +105,7 @@ Recovery recovery_of(Orphan orphan, const Document& document) {
     const UnsavedWork& work = recovery.orphan.work;
     recovery.file_gone = !work.table.empty() && document.path().empty();
     recovery.file_changed = !recovery.file_gone && work.base != now;
-    recovery.diff = line_diff(recovery.file_gone ? work.base : now, work.text, most_diff_lines);
+    recovery.diff = line_diff(recovery.file_gone ? work.base : now, work.draft.value_or(work.text), most_diff_lines);
     return recovery;
 }
 
@@ -110,9 +113,11 @@ std::string summary(const Recovery& recovery, std::int64_t now) {
     const UnsavedWork& work = recovery.orphan.work;
     const std::string name = work.table.empty() ? "A new table" : fs::path(work.table).filename().string();
     const std::string when = age(std::max<std::int64_t>(now - work.time, 0));
+    if (work.draft && work.edits == 0) return fmt::format("{}: text typed in the source that does not read yet, {}.", name, when);
     if (work.edits == 0) return fmt::format("{}: its file was gone, {}.", name, when);
     const std::string last = work.last_label.empty() ? "" : fmt::format("; the last one: {}", work.last_label);
-    return fmt::format("{}: {} since the last save, {}{}.", name, counted(work.edits, "edit"), when, last);
+    const std::string typed = work.draft ? "; and text typed in the source that does not read yet" : "";
+    return fmt::format("{}: {} since the last save, {}{}{}.", name, counted(work.edits, "edit"), when, last, typed);
 }
 
 }  // namespace pinfield::editor

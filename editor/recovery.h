@@ -16,8 +16,8 @@ class WorkKeeper {
 public:
     explicit WorkKeeper(std::string folder) : folder_(folder), journal_(std::move(folder)) {}
 
-    /// Once a frame. `now`: seconds since some start. A sentence for the user, when there is something to say.
-    std::optional<std::string> follow(const Document& document, double now);
+    /// Once a frame. `draft`: what is typed and is not the document's; null: nothing. `now`: seconds since some start. A sentence for the user, when there is something to say.
+    std::optional<std::string> follow(const Document& document, double now, const std::shared_ptr<const SourceText>& draft = {});
     /// Before the process ends with work unsaved. Whether the journal, on the disk, holds all that follow() was shown.
     bool sync();
     /// The user wants none of it.
@@ -26,18 +26,18 @@ public:
     const std::string& path() const { return journal_.path(); }
 
 private:
-    bool follows(const Document& document) const;
+    bool follows(const Document& document, const std::shared_ptr<const SourceText>& draft) const;
 
     std::string folder_;
     Journal journal_;
-    std::shared_ptr<const SourceText> text_;  ///< last seen
+    std::shared_ptr<const SourceText> text_, draft_;  ///< last seen
     std::string table_, base_;                ///< likewise
     bool due_ = false, unsynced_ = false, failing_ = false;
     double retry_at_ = 0, sync_at_ = 0;
 };
 
-/// A document's unsaved work, as of now.
-UnsavedWork unsaved_work(const Document& document);
+/// A document's unsaved work, as of now, with what is typed and not yet its text.
+UnsavedWork unsaved_work(const Document& document, const std::shared_ptr<const SourceText>& draft = {});
 /// The path that journals know a file by: absolute, without symbolic links.
 std::string table_path(const std::string& path);
 
@@ -46,7 +46,7 @@ struct Recovery {
     Orphan orphan;
     bool file_changed = false;  ///< the file holds something else than the work began with
     bool file_gone = false;
-    LineDiff diff{};            ///< from the document to the work
+    LineDiff diff{};            ///< from the document to the work, and what is typed over that
 };
 Recovery recovery_of(Orphan orphan, const Document& document);
 /// "table.yaml: 12 edits since the last save, 5 minutes ago; the last one: Move pop." `now`: seconds since 1970.

@@ -99,6 +99,12 @@ void SourceDraft::try_again(Document& document) {
     read(document);
 }
 
+void SourceDraft::restore(Document& document, const std::string& typed) {
+    discard();
+    type(document, difference(document.source().text(), typed));
+    read(document);
+}
+
 void SourceDraft::discard() {
     forget();
     left_.reset();

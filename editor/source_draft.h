@@ -18,6 +18,8 @@ public:
     const std::shared_ptr<const SourceText>& text(const Document& document) const {
         return text_ ? text_ : document.scene().sources.shared_main();
     }
+    /// The text that the document does not have, or null.
+    const std::shared_ptr<const SourceText>& pending_text() const { return text_; }
     /// Is there a text that the document does not have?
     bool pending() const { return text_ != nullptr; }
     /// Has it not been read since it was typed?
@@ -40,6 +42,8 @@ public:
     /// Where the last typing, or its undo, ended.
     std::size_t place() const { return place_; }
 
+    /// Goes on with a text that was typed over the document's in another editor.
+    void restore(Document& document, const std::string& typed);
     void discard();
     /// Reads the text once more over the document as it is now: with what changed there where both can be had, else as it is.
     void try_again(Document& document);

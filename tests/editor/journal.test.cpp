@@ -131,7 +131,7 @@ TEST_CASE("a damaged journal is reported, one of a later version is left alone, 
     const Folder folder;
     folder.write("a.journal", journal_head() + journal_record(work_of(1)).substr(0, 60));
     folder.write("b.journal", "no journal at all");
-    folder.write("c.journal", "pinfield journal 2\n" + journal_record(work_of(1)));
+    folder.write("c.journal", "pinfield journal 3\n" + journal_record(work_of(1)));
     folder.write("d.journal", "");
     folder.write("e.journal.tmp", journal_head());
     folder.write("notes.txt", "mine");

@@ -138,6 +138,62 @@ void edit_and_save(const Folder& folder, Tell tell) {
 
 }  // namespace
 
+namespace {
+
+/// Types a line that does not read, letter by letter, after an edit: n letters, told when they are kept.
+constexpr std::string_view typed_line = "- circle: {radius: [what a person types on the way to something that reads";
+
+template <class Tell>
+void type_and_type(const Folder& folder, Tell tell) {
+    AppState state = keeping_state(folder);
+    if (!edit(state, change(state.document, "pop", "kick", kick_of(3)), "Kick")) return;
+    const std::size_t begin = state.document.source().text().find("  - flipper:");
+    for (int n = 1;; n = n % static_cast<int>(typed_line.size()) + 1) {
+        if (n == 1) {
+            state.source.discard();
+            tell(0);
+        }
+        const std::size_t at = begin + static_cast<std::size_t>(n - 1);
+        const std::string letter(1, typed_line[static_cast<std::size_t>(n - 1)]);
+        state.source.type(state.document, {{at, at}, n == 1 ? letter + "\n" : letter});
+        state.source.pass(state.document, n % 9 == 0 ? 1 : 0);
+        advance(state, 0);
+        tell(n);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("an editor that is killed while somebody types gives back every letter that does not read yet, over the edits that do") {
+    const Folder folder;
+    std::mt19937 random(13);
+    int with_draft = 0;
+    for (int kill = 0; kill < kills(30); ++kill) {
+        folder.write("table.yaml", pen);
+        const int last = last_report_of_killed<int>([&](auto report) { type_and_type(folder, report); }, random() % 20'000, static_cast<unsigned>(random() % 200));
+        INFO("kill " << kill << " after letter " << last);
+        AppState state = keeping_state(folder);
+        REQUIRE(state.recovery);
+        run(state, "recover.restore");
+        CHECK(state.document.scene().find("pop")->get<double>("kick") == kick_of(3));
+        CHECK(state.document.undo_steps() == 1);
+        std::string typed = state.source.text(state.document)->text();
+        const std::size_t begin = state.document.source().text().find("  - flipper:");
+        const auto count = typed.size() - state.document.source().text().size();
+        const std::size_t letters = count == 0 ? 0 : count - 1;
+        CHECK(typed.substr(begin, letters) == typed_line.substr(0, letters));
+        const auto due = static_cast<std::size_t>(last);
+        CHECK((letters == due || letters == due % typed_line.size() + 1 || (due <= 1 && (letters == 0 || letters == typed_line.size()))));
+        with_draft += state.source.pending();
+        CHECK(state.source.pending() == (letters > 0));
+        run(state, "source.discard");
+        run(state, "file.save");
+        advance(state, 0);
+        REQUIRE(files_in(folder.file("journals")) == 0);
+    }
+    CHECK(with_draft > kills(30) / 2);
+}
+
 TEST_CASE("an editing process may be killed at any moment: what it had written is found, and nothing else is left") {
     const Folder folder;
     const std::string place = folder.file("state");
