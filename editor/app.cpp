@@ -5,6 +5,7 @@
 #include <csignal>
 #include <utility>
 
+#include "editor/ask_elsewhere.h"
 #include "editor/keep_preferences.h"
 #include "editor/widgets/screen_text.h"
 #include "engine/core/at.h"
@@ -17,7 +18,8 @@ namespace {
 
 constexpr double scripted_frame = 1.0 / 60;   ///< seconds, for what only moves on the screen
 constexpr double longest_frame = 0.05;        ///< seconds that the table is given at once
-constexpr double disk_period = 0.5;           ///< seconds between looks at the file
+constexpr double keep_period = 0.5;           ///< seconds between looks at what is kept
+constexpr double rest_period = 0.5;           ///< seconds that nothing is waited for without asking whether the file has changed
 constexpr double clock_period = 0.5;          ///< seconds after which a table at rest shows its clock anew
 constexpr double unseen_pixels = 0.02;        ///< that something may move without a new frame
 
@@ -68,7 +70,8 @@ App::App(AppState state, std::unique_ptr<Window> window, const AppOptions& optio
       bridge_(*window_),
       table_painter_(window_->gl()),
       outline_painter_(window_->gl()),
-      last_seconds_(window_->seconds()) {
+      last_seconds_(window_->seconds()),
+      watch_(options.listen) {
     window_->listen(options.listen);
     follow_theme();
     state_.give_clipboard = [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); };
@@ -164,11 +167,30 @@ double App::passed_seconds() {
 
 void App::look_around(double seconds) {
     age_message(state_, seconds);
-    disk_seconds_ += seconds;
-    if (disk_seconds_ < disk_period || state_.document.previewing()) return;
-    disk_seconds_ = 0;
-    keep_preferences(state_);
-    look_at_disk(state_);
+    looked_seconds_ += seconds;
+    if (options_.listen) ask_for_path();
+    if (state_.document.previewing()) return;
+    if (looked_seconds_ >= kept_seconds_ + keep_period) {
+        kept_seconds_ = looked_seconds_;
+        keep_preferences(state_);
+    }
+    watch_.follow(state_.document.path());
+    if (watch_.due(looked_seconds_)) look_at_disk(state_);
+}
+
+void App::ask_for_path() {
+    using Kind = PathAnswer::Kind;
+    const PathAsker asker{[this](bool saves, const std::string& at) { return dialog_.open(saves, at); },
+                          [this]() -> PathAnswer {
+                              switch (dialog_.poll()) {
+                                  case NativeDialog::State::waiting: return {};
+                                  case NativeDialog::State::chosen: return {Kind::chosen, dialog_.path()};
+                                  case NativeDialog::State::cancelled: return {Kind::cancelled};
+                                  default: return {Kind::failed};
+                              }
+                          },
+                          [this] { dialog_.close(); }};
+    ask_elsewhere(state_, asker, asked_);
 }
 
 double App::seconds_until_frame() {
@@ -179,7 +201,7 @@ double App::seconds_until_frame() {
     stir.events = window_->has_events() || bridge_.wants_frames() || state_.said != shown_messages_;
     stir.table = runs && (options_.ticks_per_frame > 0 || since >= clock_period || shown_.differs(state_.session.world(), unseen_pixels / canvas().pixels_per_metre));
     if (pace_.due(stir)) return 0.9 * period - since;
-    return runs && !stir.hidden ? period : disk_period;
+    return runs && !stir.hidden ? period : rest_period;
 }
 
 void App::rest(double seconds) {

@@ -8,6 +8,8 @@
 #include "editor/keyboard.h"
 #include "editor/pace.h"
 #include "editor/panels/ui.h"
+#include "editor/platform/file_watch.h"
+#include "editor/platform/native_dialog.h"
 #include "editor/platform/window.h"
 #include "editor/render/outline_painter.h"
 #include "editor/render/table_painter.h"
@@ -58,6 +60,7 @@ private:
     /// Waits for events, at most so long, and does without a frame what must be done now and then.
     void rest(double seconds);
     void look_around(double seconds);
+    void ask_for_path();
     double passed_seconds();  ///< since it was last asked
     void take_key(const WindowEvent& event);
     bool cancel_drags();  ///< whether there was one
@@ -82,7 +85,10 @@ private:
     ShownTable shown_;
     RealTime real_time_;
     int shown_messages_ = 0;
-    double last_seconds_ = 0, owed_seconds_ = 0, disk_seconds_ = 0;
+    double last_seconds_ = 0, owed_seconds_ = 0, looked_seconds_ = 0, kept_seconds_ = 0;
+    FileWatch watch_;
+    NativeDialog dialog_;
+    std::string asked_;  ///< the action that it was opened for
     double frame_seconds_ = 0;   ///< when the last frame began
     double rested_seconds_ = 0;  ///< since then
 };

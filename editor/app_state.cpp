@@ -44,6 +44,9 @@ void replace_document(AppState& state, Document document) {
     state.entered = {};
     state.source = {};
     state.disk = DiskState::same;
+    state.merge.reset();
+    state.merge_put_off.clear();
+    state.shared.reset();
     run(state, "view.all");
 }
 
@@ -94,6 +97,8 @@ void say_saved(AppState& state) {
 }
 
 bool save_now(AppState& state) {
+    if (!state.document.previewing()) look_at_disk(state);  // what others have saved meanwhile goes in, not under
+    if (state.merge) return say(state, fmt::format("Not saved: {} changed on disk too", name_of(state.document)), true), false;
     keep_safe(state);  // whoever dies between the save and the end of the journal leaves both with the same text
     const Result<void> saved = state.document.save();
     if (saved) say_saved(state);
@@ -144,6 +149,7 @@ void accept_path(AppState& state) {
 void reload(AppState& state) {
     const Result<void> reloaded = state.document.reload();
     if (!reloaded) return say(state, reloaded.error().message, true);
+    state.merge.reset();
     state.disk = DiskState::same;
     say(state, fmt::format("Reloaded {}", name_of(state.document)));
 }
@@ -176,6 +182,14 @@ void frame_selection(AppState& state) {
 
 bool has_prompt(const AppState& s) { return s.prompt.has_value(); }
 bool has_recovery(const AppState& s) { return s.recovery.has_value(); }
+bool has_shared(const AppState& s) { return s.shared.has_value(); }
+
+void answer_shared(AppState& state, SharedAnswer answer) {
+    const SharedEdit edit = *std::exchange(state.shared, std::nullopt);
+    if (const auto why = state.document.edit_shared(edit, answer)) say(state, *why, true);
+    else say(state, fmt::format("{} {}", edit.label, answer == SharedAnswer::here ? "here only" : "everywhere"));
+}
+
 bool has_draft(const AppState& s) { return s.source.pending(); }
 bool has_dialog(const AppState& s) { return !s.dialog_action.empty(); }
 
@@ -196,6 +210,8 @@ constexpr Handler handlers[] = {
     {"edit.deselect", always, deselect},
     {"select.find", always, [](AppState& s) { s.find_node = s.show_panels = true; }},
     {"edit.source", always, [](AppState& s) { s.preferences.show_source = s.type_source = true; }},
+    {"edit.lists", always, [](AppState& s) { s.show_lists = true; }},
+    {"lists.close", [](const AppState& s) { return s.show_lists; }, [](AppState& s) { s.show_lists = false; }},
     {"play.toggle", always, [](AppState& s) { s.session.play(!s.session.playing()); }},
     {"play.pause", [](const AppState& s) { return s.session.playing(); }, [](AppState& s) { s.session.play(false); }},
     {"play.step", always, [](AppState& s) { s.session.single_step(); }},
@@ -213,6 +229,9 @@ constexpr Handler handlers[] = {
     {"prompt.save", has_prompt, answer_save},
     {"prompt.discard", has_prompt, answer_discard},
     {"prompt.cancel", has_prompt, [](AppState& s) { s.prompt.reset(); }},
+    {"shared.everywhere", has_shared, [](AppState& s) { answer_shared(s, SharedAnswer::everywhere); }},
+    {"shared.here", has_shared, [](AppState& s) { answer_shared(s, SharedAnswer::here); }},
+    {"shared.cancel", has_shared, [](AppState& s) { s.shared.reset(); }},
     {"recover.restore", has_recovery, restore_work},
     {"recover.discard", has_recovery, discard_work},
     {"recover.later", has_recovery, put_work_off},
@@ -223,7 +242,7 @@ constexpr Handler handlers[] = {
 };
 
 const Handler& handler_of(std::string_view action) {
-    for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers(), preference_handlers()})
+    for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers(), merge_handlers(), preference_handlers()})
         for (const Handler& handler : list)
             if (handler.action == action) return handler;
     assert(false && "every action of the table has a handler");
@@ -238,6 +257,8 @@ bool is_bound(const InputBinding& input, std::string_view key) {
 bool blocked(const AppState& state, std::string_view action) {
     if (state.prompt) return !action.starts_with("prompt.");
     if (has_dialog(state)) return !action.starts_with("dialog.");
+    if (state.shared) return !action.starts_with("shared.");
+    if (state.merge) return !action.starts_with("merge.");
     if (state.choosing) return !action.starts_with("new.");
     // Closing the window puts the offer off; the window frames its table, whatever it asks.
     if (state.recovery) return !action.starts_with("recover.") && !action.starts_with("view.") && action != "app.quit";
@@ -253,8 +274,8 @@ AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
 }
 
 bool asks(const AppState& state) {
-    return state.prompt || state.recovery || has_dialog(state) || state.choosing || state.show_help || state.show_preferences ||
-           state.show_command_palette;
+    return state.prompt || state.recovery || state.merge || state.shared || has_dialog(state) || state.choosing || state.show_lists ||
+           state.show_help || state.show_preferences || state.show_command_palette;
 }
 
 bool plays(const AppState& state) { return state.session.playing() && !asks(state); }
@@ -344,6 +365,7 @@ void wrap_selection(AppState& state, const NodeType& type) {
 
 void advance(AppState& state, int ticks) {
     keep_safe(state);  // first of all: whatever comes of the edit, it is not lost
+    if (auto shared = state.document.take_shared_edit(); shared && !asks(state)) state.shared = std::move(shared);
     state.session.follow(state.document);
     tell_of_moved_balls(state);
     if (state.occasion.text != text_of(state) && !state.message.empty()) say(state, {});
@@ -351,21 +373,6 @@ void advance(AppState& state, int ticks) {
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     if (!state.document.scene().find(state.entered)) state.entered = {};
     if (!asks(state)) state.session.advance(ticks);
-}
-
-void look_at_disk(AppState& state) {
-    const DiskState before = std::exchange(state.disk, state.document.check_disk());
-    if (state.disk == DiskState::reloaded) {
-        say(state, fmt::format("{} changed on disk and was reloaded", name_of(state.document)));
-        state.disk = DiskState::same;
-        if (state.recovery) state.recovery = recovery_of(std::move(state.recovery->orphan), state.document);
-    } else if (state.disk == DiskState::broken && before != DiskState::broken) {
-        say(state, fmt::format("{} changed on disk and cannot be read; the last good table keeps running", name_of(state.document)), true);
-    } else if (state.disk == DiskState::conflict && before != DiskState::conflict) {
-        say(state, fmt::format("{} changed on disk too: Reload takes that version, Save As keeps yours", name_of(state.document)), true);
-    } else if (state.disk == DiskState::missing && before != DiskState::missing) {
-        say(state, fmt::format("{} is gone from the disk: Save writes it again", name_of(state.document)), true);
-    }
 }
 
 bool is_table_key(const AppState& state, std::string_view key) {

@@ -8,6 +8,7 @@
 
 #include "editor/actions.h"
 #include "editor/document.h"
+#include "editor/follow_disk.h"
 #include "editor/preferences.h"
 #include "editor/recent.h"
 #include "editor/recovery.h"
@@ -79,6 +80,11 @@ struct AppState {
     bool find_node = false;     ///< the tree's filter is to take the keyboard
     std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
+    std::optional<MergeQuestion> merge{};  ///< until merge.accept, merge.mine, merge.theirs or merge.later
+    std::string merge_put_off{};         ///< the file's text that is not asked about again
+    std::optional<SharedEdit> shared{};  ///< until shared.everywhere, shared.here or shared.cancel
+    bool show_lists = false;             ///< the table's inputs and tests are listed, to be added, renamed and taken out
+    bool asks_elsewhere = false;         ///< the path is asked for by another program's window
     std::optional<WorkKeeper> keeper;    ///< none: unsaved work is neither kept nor offered (scripts, tests)
     RecentFiles recent{};
     Preferences preferences{};           ///< what outlives this run, as

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <filesystem>
 #include <utility>
 
 #include "engine/core/at.h"
 #include "engine/io/files.h"
 #include "engine/io/same_content.h"
+#include "engine/io/shared_patch.h"
 #include "engine/io/table_reader.h"
 #include "engine/io/text_patch.h"
 
@@ -41,6 +41,7 @@ Document Document::untitled(std::shared_ptr<const Catalog> catalog, std::string_
     document.catalog_ = std::move(catalog);
     document.disk_text_ = text;  // nobody's work is lost with it
     document.take(read_table(document.named(std::string(text)), document.catalog_), nullptr);
+    document.disk_ids_ = document.scene().all();
     return document;
 }
 
@@ -52,6 +53,7 @@ Result<Document> Document::open(const std::string& path, std::shared_ptr<const C
     document.path_ = path;
     document.disk_text_ = *text;
     document.take(read_table(document.named(std::move(*text)), document.catalog_), nullptr);
+    document.disk_ids_ = document.scene().all();
     return document;
 }
 
@@ -120,13 +122,51 @@ std::optional<std::string> Document::edit(std::span<const Edit> edits, const std
 /// Makes the text say the edits, as one step; no step where it says so already.
 std::optional<std::string> Document::write(std::span<const Edit> edits, const std::string& label) {
     Result<PatchedText> patched = patch_for(*reading_, edits);
-    if (!patched) return patched.error().message;
+    if (!patched) {
+        note_shared(edits, label);
+        return patched.error().message;
+    }
     if (patched->reading.source().text() == source().text()) return {};
     Step step{label, shared_source(), {}, reading_->scene.all(), {}, changes_of(edits)};
     reading_ = std::make_shared<const Reading>(std::move(patched->reading));
     step.source_after = shared_source();
     step.ids_after = reading_->scene.all();
     push(std::move(step));
+    return {};
+}
+
+/// What was refused is remembered where only sharing stood against it.
+void Document::note_shared(std::span<const Edit> edits, const std::string& label) {
+    SharedEdit shared{{}, label, {}, 0};
+    for (const Edit& edit : edits) {
+        const auto* field = std::get_if<SetField>(&edit);
+        if (!field) return;
+        shared.fields.push_back(*field);
+        const auto text = shared_text(*reading_, *field);
+        if (!text || shared.places >= text->places) continue;
+        shared.anchor = text->anchor;
+        shared.places = text->places;
+    }
+    if (shared.places > 0) shared_edit_ = std::move(shared);
+}
+
+std::optional<SharedEdit> Document::take_shared_edit() { return std::exchange(shared_edit_, std::nullopt); }
+
+std::optional<std::string> Document::edit_shared(const SharedEdit& edit, SharedAnswer answer) {
+    cancel_preview();
+    Reading reading = *reading_;
+    for (const SetField& field : edit.fields) {
+        if (auto why = why_invalid(reading.scene, field)) return why;
+        if (!changes(reading.scene, field)) continue;  // an edit before it has said it everywhere
+        const bool shared = shared_text(reading, field).has_value();
+        const Edit plain = field;
+        Result<PatchedText> patched = !shared ? patch_for(reading, std::span(&plain, 1))
+                                      : answer == SharedAnswer::here ? patch_here(reading, field)
+                                                                     : patch_everywhere(reading, field);
+        if (!patched) return patched.error().message;
+        reading = std::move(patched->reading);
+    }
+    put(std::move(reading), edit.label, false, true);
     return {};
 }
 
@@ -138,6 +178,8 @@ std::size_t Document::unsaved_steps() const {
 /// The text is now the disk's.
 void Document::agree_with_disk() {
     disk_text_ = source().text();
+    disk_ids_ = reading_->scene.all();
+    disk_merge_.reset();
     looks_without_file_ = 0;
     broken_.reset();
     saved_position_ = position_;
@@ -227,50 +269,6 @@ Result<void> Document::save_as(const std::string& path) {
     return {};
 }
 
-DiskState Document::check_disk() {
-    // A drag in progress goes first: it ends in a text, which is then compared.
-    if (path_.empty() || previewing()) return DiskState::same;
-    Result<std::string> text = read_file(path_);
-    if (!text) {
-        std::error_code error;
-        if (std::filesystem::exists(path_, error)) return DiskState::same;  // there, only not to be read
-        ++looks_without_file_;  // programs that replace a file take it away for a moment
-        return is_missing() ? DiskState::missing : DiskState::same;
-    }
-    looks_without_file_ = 0;
-    if (*text == disk_text_) {
-        broken_.reset();
-        return DiskState::same;
-    }
-    if (dirty() && *text != source().text()) return DiskState::conflict;
-    if (dirty()) return agree_with_disk(), DiskState::same;
-    if (broken_ && broken_->source().text() == *text) return DiskState::broken;
-    Reading reading = read_table(named(std::move(*text)), catalog_);
-    if (!reading.ok()) {
-        broken_ = std::make_shared<const Reading>(std::move(reading));
-        return DiskState::broken;
-    }
-    follow_disk(std::move(reading));
-    return DiskState::reloaded;
-}
-
-Result<void> Document::reload() {
-    if (path_.empty()) return failure("the table has no file yet");
-    cancel_preview();
-    Result<std::string> text = read_file(path_);
-    if (!text) return tl::unexpected(text.error());
-    Reading reading = read_table(named(std::move(*text)), catalog_);
-    if (!reading.ok()) return failure(format(reading.diagnostics.front(), reading.scene.sources));
-    follow_disk(std::move(reading));
-    return {};
-}
-
-/// Takes a sound text from the disk as a step of its own, so that undo gives the earlier text back.
-void Document::follow_disk(Reading reading) {
-    put(std::move(reading), "Reload", true);
-    agree_with_disk();
-}
-
 void Document::restore(std::string text, std::size_t steps) {
     cancel_preview();
     if (text == source().text()) return;
@@ -288,12 +286,13 @@ bool Document::replace_text(Reading reading, const std::string& label) {
     return true;
 }
 
-/// Another text as one step; none where it is the same. `whole`: the running table is made anew, even where only fields differ.
-void Document::put(Reading reading, const std::string& label, bool whole) {
+/// Another text as one step; none where it is the same. `whole`: the running table is made anew, even where only fields differ. `has_ids`:
+/// its nodes have those that they are to have.
+void Document::put(Reading reading, const std::string& label, bool whole, bool has_ids) {
     if (reading.source().text() == source().text()) return;
     Step step{label, shared_source(), reading.scene.sources.shared_main(), reading_->scene.all(), {}, {}};
     const std::shared_ptr<const Reading> before = reading_;
-    take(std::move(reading), &before->scene);
+    take(std::move(reading), has_ids ? nullptr : &before->scene);
     step.ids_after = reading_->scene.all();
     step.changes = whole ? std::vector{SceneChange{true, {}, 0}} : changes_between(before->scene, reading_->scene);
     changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());

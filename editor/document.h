@@ -10,13 +10,31 @@
 #include "editor/scene_change.h"
 #include "engine/core/diagnostic.h"
 #include "engine/core/result.h"
+#include "engine/io/merge_text.h"
 #include "engine/io/table_reader.h"
 #include "engine/scene/edit.h"
 
 namespace pinfield::editor {
 
 /// What became of the file on disk.
-enum class DiskState : unsigned char { same, reloaded, broken, conflict, missing };
+enum class DiskState : unsigned char { same, reloaded, merged, broken, conflict, missing };
+
+/// The file was changed while the document was edited, and the two versions do not go together of themselves.
+struct DiskMerge {
+    std::string disk;                       ///< the file's text
+    std::shared_ptr<const SourceText> ours; ///< the document's
+    std::vector<ToldConflict> conflicts;
+    std::string refusal;                    ///< not empty: there is no merged text, one version can be taken whole
+};
+
+/// Fields that were to be set and whose text stands for other places of the file, too.
+struct SharedEdit {
+    std::vector<SetField> fields;
+    std::string label;   ///< "Change pop"
+    std::string anchor;  ///< the first that is shared, by the anchor's name
+    int places = 0;      ///< that it stands for, this one included
+};
+enum class SharedAnswer : unsigned char { everywhere, here };
 
 class Document {
 public:
@@ -52,6 +70,11 @@ public:
     std::optional<std::string> edit(const SetField& edit, const std::string& label);
     /// Any edits, one after the other, as one undo step. Why not, or nothing; then nothing has changed.
     std::optional<std::string> edit(std::span<const Edit> edits, const std::string& label);
+    /// What was refused last because its text is shared, once.
+    std::optional<SharedEdit> take_shared_edit();
+    /// Does it all the same: at the anchor, for all places; or here alone, where what is shared is written out. As one step. Why not, or
+    /// nothing.
+    std::optional<std::string> edit_shared(const SharedEdit& edit, SharedAnswer answer);
     /// A text as though it were this document's.
     Reading read(std::string text) const;
     /// Takes what read() gave in place of the text, as one step; it must be ok(). False, and no step, where the text is the same.
@@ -81,9 +104,17 @@ public:
     /// Atomic; overwrites what is there: who names a path has been asked.
     Result<void> save_as(const std::string& path);
     /// Looks at the disk: a clean document follows it (broken text keeps the last good scene and shows its problems);
-    /// a dirty one whose file changed outside reports a conflict and changes nothing. A file that two looks in a row do not find is
-    /// missing: the document is all that is left of it.
+    /// a dirty one whose file changed outside is merged with it, as one step; where both touched the same, and where the disk's text does
+    /// not read, it reports a conflict and changes nothing. A file that two looks in a row do not find is missing: the document is all that
+    /// is left of it.
     DiskState check_disk();
+    /// What check_disk() found in conflict; null: nothing, or a text that does not read.
+    const std::shared_ptr<const DiskMerge>& disk_merge() const { return disk_merge_; }
+    /// Merges the document with its file as it was chosen, or takes one version whole, as one step. Why not, or nothing.
+    std::optional<std::string> merge_disk(const Choices& choices);
+    std::optional<std::string> settle_disk(Whose whole);
+    /// How many comments the last merge left out.
+    int comments_left_out() const { return comments_left_out_; }
     /// Takes the disk's text in place of the document's, whatever was edited; undo brings it back. Fails on a broken text.
     Result<void> reload();
     /// Takes unsaved work that was kept elsewhere in place of the text, as one step that counts as the `steps` it was made in. The disk is
@@ -111,7 +142,11 @@ private:
     void replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids);
     void follow_disk(Reading reading);
     void agree_with_disk();
-    void put(Reading reading, const std::string& label, bool whole);
+    void note_shared(std::span<const Edit> edits, const std::string& label);
+    void put(Reading reading, const std::string& label, bool whole, bool has_ids = false);
+    Reading saved_reading() const;
+    DiskState follow_dirty(std::string disk);
+    void take_merged(Reading reading, std::string disk);
     void push(Step step);
 
     std::shared_ptr<const Catalog> catalog_;
@@ -119,11 +154,15 @@ private:
     std::shared_ptr<const Reading> broken_;   ///< of what the disk holds when that cannot be used
     std::string path_;
     std::string disk_text_;
+    std::vector<NodeId> disk_ids_;  ///< of its nodes
+    std::shared_ptr<const DiskMerge> disk_merge_;
+    int comments_left_out_ = 0;
     int looks_without_file_ = 0;  ///< in a row
     std::vector<Step> history_;
     std::size_t position_ = 0;
     std::size_t saved_position_ = 0;  ///< where the text was the disk's; where the history has left that way, where it did
     std::size_t lost_steps_ = 0;      ///< between there and the disk's text
+    std::optional<SharedEdit> shared_edit_;
     std::vector<SetField> preview_;
     std::shared_ptr<Scene> previewed_;  ///< the scene with what is previewed; null when nothing is
     std::vector<SceneChange> changes_;

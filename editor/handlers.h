@@ -21,6 +21,8 @@ inline bool has_selection(const AppState& s) { return !s.selection.empty() && !s
 std::span<const Handler> edit_handlers();
 /// Tools, alignment, mirroring: arrange.cpp.
 std::span<const Handler> arrange_handlers();
+/// The file and the document made one again: follow_disk.cpp.
+std::span<const Handler> merge_handlers();
 /// How the editor looks and works, and what it shows: preference_actions.cpp.
 std::span<const Handler> preference_handlers();
 

@@ -87,10 +87,25 @@ void begin_path_dialog(const AppState& state, PathDialog& dialog) {
     go_to(dialog, path.has_parent_path() ? path.parent_path() : fs::current_path());
 }
 
+/// While the desktop's own dialog asks, this window holds.
+void elsewhere_dialog(AppState& state, const Theme& theme) {
+    if (!begin_modal(theme, "##elsewhere", 380)) return;
+    text_in(theme.large, palette::text, state.dialog_action == "file.open" ? "Open a table" : "Save the table as");
+    text_in(theme.body, palette::quiet, "The file is chosen in the desktop's own window.");
+    ImGui::Dummy({0, theme.px(8)});
+    align_right(theme.px(92));
+    if (dialog_button(theme, "Cancel", false) || escape_pressed()) run(state, "dialog.cancel");
+    if (!state.asks_elsewhere || state.dialog_action.empty()) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
 }  // namespace
 
 void path_dialog(AppState& state, Ui& ui) {
     PathDialog& dialog = ui.dialog;
+    const bool elsewhere = state.asks_elsewhere && !state.dialog_action.empty();
+    if (elsewhere || ImGui::IsPopupOpen("##elsewhere")) elsewhere_dialog(state, ui.theme);  // the answer comes between frames
+    if (elsewhere) return;
     const Theme& theme = ui.theme;
     constexpr const char* title = "##path";
     const bool begins = !state.dialog_action.empty() && dialog.action != state.dialog_action;
@@ -208,6 +223,23 @@ void recovery_dialog(AppState& state, Ui& ui) {
     const std::string_view answer = answered(theme, answers, recovery.file_changed ? 1 : 2, ui.answer, "recover.later");
     if (!answer.empty()) run(state, answer);
     if (!state.recovery) ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+}
+
+void shared_dialog(AppState& state, Ui& ui) {
+    if (!state.shared || state.prompt || !state.dialog_action.empty()) return;
+    const Theme& theme = ui.theme;
+    if (!begin_modal(theme, "##shared", 460)) return;
+    const SharedEdit edit = *state.shared;
+    text_in(theme.large, palette::text, "Shared by " + std::to_string(edit.places) + " places");
+    ImGui::PushTextWrapPos(0);
+    text_in(theme.body, palette::quiet, edit.label + ": the text stands at the anchor &" + edit.anchor + " and is used from there.");
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0, theme.px(8)});
+    constexpr Answer answers[] = {{"Cancel", "shared.cancel"}, {"Here only", "shared.here"}, {"All of them", "shared.everywhere"}};
+    const std::string_view answer = answered(theme, answers, 1, ui.answer, "shared.cancel");
+    if (!answer.empty()) run(state, answer);
+    if (!state.shared) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -115,6 +115,9 @@ void dialogs(AppState& state, Ui& ui) {
     starter_dialog(state, ui);
     prompt_dialog(state, ui);
     recovery_dialog(state, ui);
+    merge_dialog(state, ui);
+    shared_dialog(state, ui);
+    lists_dialog(state, ui);
     shortcut_sheet(state, ui);
     preferences_dialog(state, ui);
     command_palette(state, ui);

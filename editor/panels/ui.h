@@ -47,6 +47,16 @@ struct PathDialog {
     std::vector<std::string> folders, files;  ///< of `folder`, sorted
 };
 
+/// A row of the table's inputs or tests whose name, or keys, are being typed.
+struct ListsDialog {
+    bool open = false;
+    bool of_tests = false, of_keys = false;
+    int row = -1;         ///< -1: none; as many as there are: a new one
+    std::string text{};
+    std::string why{};    ///< it was not taken
+    bool begins = false;  ///< the text field must take the keyboard in the next frame
+};
+
 /// The handles of the selected node, as long as its values are these.
 struct Handles {
     NodeId node{};
@@ -138,6 +148,7 @@ struct Ui {
     CommandPalette commands;
     NodeId menu_node;       ///< row of the tree whose menu is to open
     PathDialog dialog;
+    ListsDialog lists;
     int answer = 0;         ///< the button of a question that Enter presses
     int preference = 0;     ///< the row of the preferences that arrows change
     bool frame_wanted = true;  ///< show the whole table in the next frame
@@ -205,6 +216,9 @@ void status_bar(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void path_dialog(AppState& state, Ui& ui);
 void prompt_dialog(AppState& state, Ui& ui);
 void recovery_dialog(AppState& state, Ui& ui);
+void merge_dialog(AppState& state, Ui& ui);
+void shared_dialog(AppState& state, Ui& ui);
+void lists_dialog(AppState& state, Ui& ui);
 void starter_dialog(AppState& state, Ui& ui);
 void command_palette(AppState& state, Ui& ui);
 void shortcut_sheet(AppState& state, Ui& ui);

@@ -72,7 +72,7 @@ TEST_CASE("unsaved work is asked about before it would be lost") {
         CHECK(folder.read("table.yaml") == mine);
     }
     SECTION("a save that fails stays") {
-        folder.write("table.yaml", pen + "# theirs\n");
+        folder.write("table.yaml", std::string(pen).replace(pen.find("kick: 0.8"), 9, "kick: 0.7"));
         run(state, "prompt.save");
         CHECK_FALSE(gone_on());
         CHECK(state.message_is_problem);

@@ -168,7 +168,8 @@ TEST_CASE("saving is refused when the file was changed outside") {
     const Folder folder;
     Document document = opened(folder);
     REQUIRE_FALSE(document.edit(change(document, "pop", "kick", 1.0), "Kick"));
-    const std::string theirs = pen + "# theirs\n";
+    std::string theirs = pen;
+    theirs.replace(theirs.find("kick: 0.8"), 9, "kick: 0.7");
     folder.write("table.yaml", theirs);
     CHECK_FALSE(document.save());
     CHECK(folder.read("table.yaml") == theirs);
@@ -257,3 +258,38 @@ TEST_CASE("a new table is whole and clean, and has no file to save to") {
 }
 
 TEST_CASE("a file that is not there does not open") { CHECK_FALSE(Document::open("/nowhere/table.yaml", catalog())); }
+
+TEST_CASE("an edit of shared text is asked about: everywhere or here only, one step each, or nothing") {
+    const Folder folder;
+    std::string text = pen;
+    text.replace(text.find("radius: 24mm"), 12, "radius: &r 24mm");
+    text.replace(text.find("radius: 2mm"), 11, "radius: *r");
+    AppState state = opened_state(folder, text);
+    const auto radius = [&](const char* node) { return state.document.scene().find(node)->get<double>("radius"); };
+    CHECK_FALSE(edit(state, change(state.document, "nail", "radius", 0.03), "Change nail"));
+    advance(state, 0);
+    REQUIRE(state.shared);
+    CHECK(state.shared->places == 2);
+    CHECK(state.shared->anchor == "r");
+    CHECK(state.document.source().text() == text);
+    CHECK_FALSE(enabled(state, "file.save"));
+    SECTION("everywhere") {
+        run(state, "shared.everywhere");
+        CHECK((radius("nail") == 0.03 && radius("pop") == 0.03));
+    }
+    SECTION("here") {
+        run(state, "shared.here");
+        CHECK((radius("nail") == 0.03 && radius("pop") == 0.024));
+    }
+    SECTION("not at all") {
+        run(state, "shared.cancel");
+        CHECK(state.document.source().text() == text);
+        CHECK_FALSE(state.document.can_undo());
+        return;
+    }
+    CHECK_FALSE(state.shared);
+    CHECK(state.document.undo_steps() == 1);
+    CHECK(changed_lines(text, state.document.source().text()) == 1);
+    run(state, "edit.undo");
+    CHECK(state.document.source().text() == text);
+}

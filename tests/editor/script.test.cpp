@@ -187,8 +187,9 @@ TEST_CASE("an action that fails fails its step") {
     AppState state = opened_state(folder);
     FakeWindow window(state);
     CHECK(play(state, window, "- {set: {node: pop, field: kick, value: 1}}\n").empty());
-    folder.write("table.yaml", pen + "# theirs\n");
-    CHECK_THAT(play(state, window, "- {action: file.save}\n"), Catch::Contains("changed by another program"));
+    std::string theirs = pen;
+    folder.write("table.yaml", theirs.replace(theirs.find("kick: 0.8"), 9, "kick: 0.7"));
+    CHECK_THAT(play(state, window, "- {action: file.save}\n"), Catch::Contains("changed on disk too"));
 }
 
 TEST_CASE("the same script gives the same bits") {
