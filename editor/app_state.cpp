@@ -38,6 +38,8 @@ void replace_document(AppState& state, Document document) {
     session.play(state.session.playing());
     session.set_slow_motion(state.session.slow_motion());
     document.take_changes();
+    state.aids_folder.keep(state.document.path(), state.aids);
+    state.aids = state.aids_folder.open(document.path());
     state.document = std::move(document);
     state.session = std::move(session);
     state.selection = {};
@@ -221,7 +223,7 @@ constexpr Handler handlers[] = {
     {"play.faster", [](const AppState& s) { return s.session.slow_motion() > 1; },
      [](AppState& s) { s.session.set_slow_motion(s.session.slow_motion() / 2); }},
     {"view.frame", always, frame_selection},
-    {"view.all", always, [](AppState& s) { s.view.frame({{0, 0}, s.session.program().size}); }},
+    {"view.all", always, [](AppState& s) { s.view.frame_table({{0, 0}, s.session.program().size}); }},
     {"view.zoom_in", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 1.25); }},
     {"view.zoom_out", always, [](AppState& s) { s.view.zoom_at(s.view.origin + 0.5 * s.view.size, 0.8); }},
     {"view.command_palette", always, [](AppState& s) { s.show_command_palette = !s.show_command_palette; }},

@@ -16,6 +16,7 @@
 #include "editor/session.h"
 #include "editor/source_draft.h"
 #include "editor/structure_tools.h"
+#include "editor/table_aids.h"
 #include "editor/view.h"
 
 namespace pinfield::editor {
@@ -43,8 +44,9 @@ struct Occasion {
     double age = 0;  ///< seconds
 };
 
-/// What the mouse does over the table. select: all of it, with the handles of a node; move: nodes only; turn and scale: the selection.
-enum class Tool : unsigned char { select, move, turn, scale };
+/// What the mouse does over the table. select: all of it, with the handles of a node; move: nodes only; turn and scale: the selection;
+/// measure: nothing.
+enum class Tool : unsigned char { select, move, turn, scale, measure };
 
 /// One point of a node's: what was clicked last, and what Delete takes out.
 struct PickedPoint {
@@ -89,6 +91,8 @@ struct AppState {
     RecentFiles recent{};
     Preferences preferences{};           ///< what outlives this run, as
     PreferencesFile preferences_file{};  ///< keeps it
+    TableAids aids{};                    ///< laid over this table to work by, as
+    AidsFolder aids_folder{};            ///< keeps it
     std::optional<Recovery> recovery;    ///< unsaved work on offer, until recover.restore, recover.discard or recover.later
     std::vector<Orphan> more_to_recover; ///< offered after it
     bool choosing = false;      ///< File > New asks which table to begin with

@@ -142,6 +142,7 @@ std::span<const Handler> arrange_handlers() {
         {"tool.move", always, [](AppState& s) { s.tool = Tool::move; }, [](const AppState& s) { return s.tool == Tool::move; }},
         {"tool.turn", always, [](AppState& s) { s.tool = Tool::turn; }, [](const AppState& s) { return s.tool == Tool::turn; }},
         {"tool.scale", always, [](AppState& s) { s.tool = Tool::scale; }, [](const AppState& s) { return s.tool == Tool::scale; }},
+        {"tool.measure", always, [](AppState& s) { s.tool = Tool::measure; }, [](const AppState& s) { return s.tool == Tool::measure; }},
         {"tool.snap", always, [](AppState& s) { s.preferences.snapping = !s.preferences.snapping; },
          [](const AppState& s) { return s.preferences.snapping; }},
     };

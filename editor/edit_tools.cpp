@@ -77,7 +77,8 @@ SetField moved(const Scene& scene, NodeId id, const Vec2& at_before, const Vec2&
     const Similarity parent_from_world = node.parent ? world_from_local(scene, node.parent).inverse() : Similarity{};
     const Vec2 delta = parent_from_world.scale * parent_from_world.direction(world_delta);
     const bool turned = parent_from_world.sine != 0;
-    const Vec2 steps = (turned ? square_grid(grid.minCoeff()) : grid).cwiseMax(finest_grid);
+    Vec2 steps = turned ? square_grid(grid.minCoeff()) : grid;
+    for (double& step : steps) step = step > 0 ? step : finest_grid;
     Vec2 at = at_before;
     for (int axis = 0; axis < 2; ++axis)
         if (std::fabs(delta[axis]) >= 0.5 * steps[axis]) at[axis] = on_grid(at_before[axis] + delta[axis], steps[axis]);

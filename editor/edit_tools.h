@@ -16,6 +16,9 @@ namespace pinfield::editor {
 /// 0: no grid, but still whole hundredths of a millimetre, so that files stay readable.
 inline constexpr double default_grid = 0.001;
 
+/// The grid of what has snapped: in line with the other to a nanometre, and in few digits where that is.
+inline constexpr double exact_grid = 1e-9;
+
 /// Metres, along the world's axes.
 inline Vec2 square_grid(double step) { return {step, step}; }
 

@@ -235,6 +235,31 @@ std::vector<Box2> boxes_beside(const AppState& state, const std::vector<NodeId>&
     return out;
 }
 
+std::vector<Box2> mirror_axes(const AppState& state, const std::vector<NodeId>& without) {
+    const Program& program = state.session.program();
+    const Field& field = program.fixed;
+    std::set<NodeId> left_out;
+    for (const NodeId node : without) left_out.merge(subtree(state.document.scene(), node));
+    std::vector<Box2> out;
+    for (const Op& op : field.ops) {
+        if (left_out.contains(op.origin)) continue;
+        for (int i = 0; i < op.image_count; ++i) {
+            const Similarity& image = at(field.images, op.first_image + i);
+            const Vec2 moved = image.offset;
+            for (const int axis : {0, 1}) {
+                Vec2 along(0, 0), across(0, 0);
+                across[axis] = along[1 - axis] = 1;
+                const bool reflects = image.mirrored && image.scale == 1 && length(image.direction(across) + across) < 1e-9 && length(image.direction(along) - along) < 1e-9;
+                if (!reflects || std::fabs(moved[1 - axis]) > 1e-9) continue;
+                Box2 line{{0, 0}, program.size};
+                line.lo[axis] = line.hi[axis] = 0.5 * moved[axis];
+                out.push_back(line);
+            }
+        }
+    }
+    return out;
+}
+
 std::vector<NodeId> nodes_in(const AppState& state, const Box2& world, bool touching) {
     const Program& program = state.session.program();
     std::set<NodeId> found;

@@ -40,6 +40,10 @@ Box2 bounds_of(const AppState& state, NodeId node);
 /// World boxes of all solids and regions but the domain's and those in `without`, as they stand now; and the table's own.
 std::vector<Box2> boxes_beside(const AppState& state, const std::vector<NodeId>& without);
 
+/// The upright and level lines in which something that stands still is mirrored, but for what lies in `without`; as boxes without extent, as
+/// long as the table.
+std::vector<Box2> mirror_axes(const AppState& state, const std::vector<NodeId>& without);
+
 /// What hits_at() can find, in a box of the world: wholly, or (`touching`) in part.
 std::vector<NodeId> nodes_in(const AppState& state, const Box2& world, bool touching);
 

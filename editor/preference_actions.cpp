@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "editor/edit_tools.h"
 #include "editor/handlers.h"
 #include "editor/keep_preferences.h"
 
@@ -19,6 +20,19 @@ void set_font_size(AppState& state, double size) {
 void reset_preferences(AppState& state) {
     state.preferences = {};
     say(state, "The usual preferences");
+}
+
+std::string_view selected_type(const AppState& state) {
+    const Node* node = state.document.scene().find(state.selection.primary());
+    return node && !node->is_record() ? node->type->key() : std::string_view();
+}
+
+bool may_add_guide(const AppState& state) { return state.aids.guides.size() < most_guides; }
+
+void add_guide(AppState& state, int axis) {
+    const Vec2 place = state.pointer.value_or(state.view.centre);
+    state.aids.guides.push_back({axis, on_grid(place[axis], state.preferences.grid)});
+    state.preferences.show_guides = true;
 }
 
 template <ThemeChoice theme>
@@ -50,6 +64,8 @@ std::span<const Handler> preference_handlers() {
         {"edit.preferences", always, [](AppState& s) { s.show_preferences = true; }},
         {"preferences.close", [](const AppState& s) { return s.show_preferences; }, [](AppState& s) { s.show_preferences = false; }},
         {"preferences.usual", always, reset_preferences},
+        {"edit.favourite", [](const AppState& s) { return !selected_type(s).empty(); }, [](AppState& s) { toggle_favourite(s.preferences, selected_type(s)); },
+         [](const AppState& s) { return is_favourite(s.preferences, selected_type(s)); }},
         theme_handler<ThemeChoice::dark>("theme.dark"),
         theme_handler<ThemeChoice::light>("theme.light"),
         {"font.larger", [](const AppState& s) { return s.preferences.font_size < most_font_size; },
@@ -69,6 +85,13 @@ std::span<const Handler> preference_handlers() {
         preference_switch<&Preferences::show_changes>("view.changes"),
         preference_switch<&Preferences::show_palette>("view.palette"),
         preference_switch<&Preferences::show_history>("view.history"),
+        preference_switch<&Preferences::show_rulers>("view.rulers"),
+        preference_switch<&Preferences::show_guides>("view.guides"),
+        preference_switch<&Preferences::lock_guides>("view.lock_guides"),
+        preference_switch<&Preferences::warn_of_gaps>("view.gaps"),
+        {"guide.upright", may_add_guide, [](AppState& s) { add_guide(s, 0); }},
+        {"guide.level", may_add_guide, [](AppState& s) { add_guide(s, 1); }},
+        {"guide.clear", always, [](AppState& s) { s.aids.guides.clear(); }},
         {"view.panels", always, [](AppState& s) { s.show_panels = !s.show_panels; }, [](const AppState& s) { return !s.show_panels; }},
     };
     return handlers;
@@ -77,6 +100,8 @@ std::span<const Handler> preference_handlers() {
 void load_preferences(AppState& state, const std::string& folder) {
     if (folder.empty()) return;
     state.preferences_file = PreferencesFile(folder + "/preferences.yaml");
+    state.aids_folder = AidsFolder(folder + "/tables");
+    state.aids = state.aids_folder.open(state.document.path());
     std::vector<std::string> complaints;
     state.preferences = state.preferences_file.read(complaints);
     if (complaints.empty()) return;
@@ -85,6 +110,7 @@ void load_preferences(AppState& state, const std::string& folder) {
 }
 
 void keep_preferences(AppState& state) {
+    state.aids_folder.keep(state.document.path(), state.aids);
     if (const auto why = state.preferences_file.keep(state.preferences)) say(state, *why, true);
 }
 

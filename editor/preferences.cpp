@@ -21,6 +21,14 @@ constexpr double most_grid = 0.1;                            ///< metres
 constexpr double least_extent = 60, most_extent = 4000;      ///< of panels, design pixels
 constexpr std::string_view file_head = "# How Pinfield's editor looks and works. It changes values here; all else in this file stays as it is.\n";
 
+constexpr std::string_view blank = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+    const std::size_t first = std::min(text.find_first_not_of(blank), text.size());
+    text.remove_prefix(first);
+    return text.substr(0, text.find_last_not_of(blank) + 1);
+}
+
 template <bool Preferences::*member>
 constexpr PreferenceField yes_or_no(std::string_view key) {
     return {key, "true or false", [](const Preferences& p) { return std::string(p.*member ? "true" : "false"); },
@@ -63,6 +71,25 @@ bool take_grid(Preferences& p, std::string_view text) {
     return true;
 }
 
+std::string favourites_text(const Preferences& p) { return fmt::format("[{}]", fmt::join(p.favourites, ", ")); }
+
+/// "[star, bumper]": words of letters, digits and _.
+bool take_favourites(Preferences& p, std::string_view text) {
+    constexpr std::size_t most = 100;
+    if (text.size() < 2 || text.front() != '[' || text.back() != ']') return false;
+    std::vector<std::string> words;
+    for (text = text.substr(1, text.size() - 2); !text.empty();) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        const std::string_view word = trimmed(text.substr(0, end));
+        const bool is_word = std::all_of(word.begin(), word.end(), [](char c) { return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); });
+        if (word.empty() || !is_word || words.size() == most) return false;
+        if (std::find(words.begin(), words.end(), word) == words.end()) words.emplace_back(word);
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    p.favourites = std::move(words);
+    return true;
+}
+
 constexpr PreferenceField fields[] = {
     {"theme", "dark or light", [](const Preferences& p) { return std::string(p.theme == ThemeChoice::dark ? "dark" : "light"); }, take_theme},
     {"font_size", "a number from 8 to 48", [](const Preferences& p) { return to_text(p.font_size); },
@@ -70,10 +97,15 @@ constexpr PreferenceField fields[] = {
     yes_or_no<&Preferences::snapping>("snapping"),
     {"grid", "a length up to 100mm, or off", [](const Preferences& p) { return p.grid > 0 ? write_quantity(p.grid, Unit::metre, "1mm") : std::string("off"); },
      take_grid},
+    {"favourites", "a list of nodes, such as [bumper, star]", favourites_text, take_favourites},
     yes_or_no<&Preferences::show_source>("show_source"),
     yes_or_no<&Preferences::show_changes>("show_changes"),
     yes_or_no<&Preferences::show_palette>("show_palette"),
     yes_or_no<&Preferences::show_history>("show_history"),
+    yes_or_no<&Preferences::show_rulers>("show_rulers"),
+    yes_or_no<&Preferences::show_guides>("show_guides"),
+    yes_or_no<&Preferences::lock_guides>("lock_guides"),
+    yes_or_no<&Preferences::warn_of_gaps>("warn_of_gaps"),
     extent<&Preferences::left>("left_width"),
     extent<&Preferences::right>("right_width"),
     extent<&Preferences::source_width>("source_width"),
@@ -85,14 +117,6 @@ constexpr PreferenceField fields[] = {
 const PreferenceField* field_of(std::string_view key) {
     const auto found = std::find_if(std::begin(fields), std::end(fields), [&](const PreferenceField& field) { return field.key == key; });
     return found == std::end(fields) ? nullptr : found;
-}
-
-constexpr std::string_view blank = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = std::min(text.find_first_not_of(blank), text.size());
-    text.remove_prefix(first);
-    return text.substr(0, text.find_last_not_of(blank) + 1);
 }
 
 /// A line without its end; views of the text.
@@ -144,6 +168,14 @@ void put(std::string& text, std::string_view key, const std::string& value) {
 }
 
 }  // namespace
+
+bool is_favourite(const Preferences& preferences, std::string_view type) {
+    return std::find(preferences.favourites.begin(), preferences.favourites.end(), type) != preferences.favourites.end();
+}
+
+void toggle_favourite(Preferences& preferences, std::string_view type) {
+    if (std::erase(preferences.favourites, type) == 0) preferences.favourites.emplace_back(type);
+}
 
 std::span<const PreferenceField> preference_fields() { return fields; }
 

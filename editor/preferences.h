@@ -17,17 +17,24 @@ struct Preferences {
     double font_size = 14;  ///< design pixels; everything else grows with it
     bool snapping = true;   ///< drags stop where edges and middles of others are
     double grid = 0.001;    ///< of drags and arrow keys, metres; 0: none
+    std::vector<std::string> favourites{};  ///< node types that stand first in the palette, by their words
     // Which panels stand open, and
     bool show_source = false;
     bool show_changes = true;  ///< lines that differ from the saved file are marked there
     bool show_palette = true;
     bool show_history = false;
+    bool show_rulers = false;
+    bool show_guides = true, lock_guides = false;
+    bool warn_of_gaps = true;  ///< that are too narrow for a ball, during drags
     // how wide or high they are, in design pixels.
     float left = 250, right = 324, source_width = 400;
     float palette_height = 300, history_height = 220, problems_height = 132;
 
     bool operator==(const Preferences&) const = default;
 };
+
+bool is_favourite(const Preferences& preferences, std::string_view type);
+void toggle_favourite(Preferences& preferences, std::string_view type);
 
 /// One line of the file.
 struct PreferenceField {

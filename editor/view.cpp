@@ -6,9 +6,10 @@ namespace pinfield::editor {
 namespace {
 
 constexpr double margin = 0.04;  ///< of the viewport's size, on every side
-constexpr double least_pixels_per_metre = 10, most_pixels_per_metre = 200'000;
+constexpr double most_pixels_per_metre = 200'000;
+constexpr double farthest_share = 0.1;  ///< of the size at which the table fits the view
 
-double kept_in_range(double pixels_per_metre) { return std::clamp(pixels_per_metre, least_pixels_per_metre, most_pixels_per_metre); }
+double kept_in_range(double pixels_per_metre, double least) { return std::clamp(pixels_per_metre, std::min(least, most_pixels_per_metre), most_pixels_per_metre); }
 
 }  // namespace
 
@@ -17,12 +18,18 @@ void View::frame(const Box2& world) {
     centre = world.centre();
     const Vec2 room = (1 - 2 * margin) * size;
     const Vec2 wanted = world.size().cwiseMax(Vec2(1e-3, 1e-3));
-    pixels_per_metre = kept_in_range(std::min(room.x() / wanted.x(), room.y() / wanted.y()));
+    pixels_per_metre = kept_in_range(std::min(room.x() / wanted.x(), room.y() / wanted.y()), farthest);
+}
+
+void View::frame_table(const Box2& table) {
+    farthest = 0;
+    frame(table);
+    farthest = farthest_share * pixels_per_metre;
 }
 
 void View::zoom_at(const Vec2& pixel, double factor) {
     const Vec2 kept = world_from_pixel(pixel);
-    pixels_per_metre = kept_in_range(pixels_per_metre * factor);
+    pixels_per_metre = kept_in_range(pixels_per_metre * factor, farthest);
     centre += kept - world_from_pixel(pixel);
 }
 

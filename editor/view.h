@@ -24,8 +24,12 @@ struct View {
         const Vec2 half = 0.5 * size / pixels_per_metre;
         return {centre - half, centre + half};
     }
+    double farthest = 10;  ///< pixels a metre that are never gone below: a table stays to be seen
+
     /// Shows the whole box with a margin.
     void frame(const Box2& world);
+    /// Likewise the table, which from now on is never shown smaller than a tenth of that.
+    void frame_table(const Box2& table);
     /// Zooms by a factor and keeps the world point under this pixel where it is.
     void zoom_at(const Vec2& pixel, double factor);
 };

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/panels/measure_tool.h"
+#include "editor/panels/rulers.h"
 #include "editor/panels/ui.h"
 #include "editor/pick.h"
 #include "editor/widgets/widgets.h"
@@ -33,6 +35,7 @@ void press(AppState& state, Ui& ui) {
     if (!io.KeyAlt && !io.KeyShift && press_handle(state, ui)) return;
     state.point.reset();
     ui.pressed = grip_at(state, state.entered, ui.mouse_world, slack_of(state));
+    if (!ui.pressed.node && press_guide(state, ui)) return;
     ui.pressed_at = ui.mouse_world;
     ui.pressing = true;
     ui.copies = io.KeyAlt;
@@ -91,6 +94,9 @@ void begin_drag(AppState& state, Ui& ui) {
         ui.magnets.box_before = ui.magnets.box_before.merged(bounds_of(state, one.node));
     }
     ui.magnets.others = boxes_beside(state, nodes);
+    const auto add = [&](const std::vector<Box2>& lines) { ui.magnets.others.insert(ui.magnets.others.end(), lines.begin(), lines.end()); };
+    add(mirror_axes(state, nodes));
+    if (state.preferences.show_guides) add(boxes_of(state.aids.guides, state.session.program().size));
 }
 
 /// The nodes follow the hand, on the grid, or where edges and middles meet those of others.
@@ -98,7 +104,7 @@ void drag_nodes(AppState& state, Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
     Vec2 grid = square_grid(io.KeyCtrl ? 0 : state.preferences.grid), hand = ui.mouse_world;
-    ui.magnets.guides.clear();
+    ui.magnets.lines.clear();
     if (state.preferences.snapping && !io.KeyCtrl && ui.pressed.own_from_hand.isIdentity()) {
         Vec2 delta = hand - ui.pressed_at;
         if (io.KeyShift) delta[std::fabs(delta.x()) < std::fabs(delta.y()) ? 0 : 1] = 0;
@@ -106,8 +112,8 @@ void drag_nodes(AppState& state, Ui& ui) {
         Snap held = snap({before.lo + delta, before.hi + delta}, ui.magnets.others, snap_pixels / state.view.pixels_per_metre);
         hand = ui.pressed_at + delta + held.push;
         for (const int axis : {0, 1})
-            if (held.axis[axis]) grid[axis] = 0;
-        ui.magnets.guides = std::move(held.guides);
+            if (held.axis[axis]) grid[axis] = exact_grid;
+        ui.magnets.lines = std::move(held.lines);
     }
     // The same drag may have been taken back by Esc: then the preview stays away until the next press.
     tell(state, ui.drag.update(state.document, hand, grid, io.KeyShift));
@@ -157,9 +163,11 @@ void left_button(AppState& state, Ui& ui) {
         press(state, ui);
     }
     if (!ImGui::IsItemActive()) {
+        if (ui.guide_hand.index && !ui.guide_hand.is_new) release_guide(state, ui);
         if (ui.pressing || ui.handle_drag.active()) release(state, ui);
         return;
     }
+    if (io.MouseDown[0] && ui.guide_hand.index) return drag_guide(state, ui);
     if (io.MouseDown[0] && ui.handle_drag.active()) return drag_handle(state, ui);
     if (!io.MouseDown[0] || !ui.pressing) return;
     const bool drags = ui.drag.active() || ui.transform.active() || ui.marquee;
@@ -203,9 +211,13 @@ void table_mouse(AppState& state, Ui& ui) {
     state.pointer = ui.viewport_hovered ? std::optional(ui.mouse_world) : std::nullopt;
     right_button(state, ui);
     pan_and_zoom(state, ui);
-    if (!ui.panning) left_button(state, ui);
+    if (state.tool == Tool::measure && !ui.panning) {
+        measure(state, ui);
+    } else if (!ui.panning) {
+        left_button(state, ui);
+    }
     const bool on_handle = ui.handle_drag.active() || handle_under_mouse(state, ui) >= 0;
-    if (ui.viewport_hovered && !ui.panning && !on_handle) ui.hovered = grip_at(state, state.entered, ui.mouse_world, slack_of(state)).node;
+    if (ui.viewport_hovered && !ui.panning && !on_handle && state.tool != Tool::measure) ui.hovered = grip_at(state, state.entered, ui.mouse_world, slack_of(state)).node;
     if (ImGui::BeginPopup("##node_menu")) {
         if (ui.under_mouse.size() > 1) {
             text_in(ui.theme.small, palette::quiet, "Under the mouse");
@@ -222,7 +234,10 @@ void table_mouse(AppState& state, Ui& ui) {
 }
 
 bool cancel_drag(AppState& state, Ui& ui) {
-    const bool any = ui.drag.active() || ui.marquee || ui.handle_drag.active() || ui.transform.active();
+    const bool guide = cancel_guide(state, ui), measured = state.tool == Tool::measure && ui.measurement;
+    ui.measurement.reset();
+    ui.measuring = false;
+    const bool any = guide || measured || ui.drag.active() || ui.marquee || ui.handle_drag.active() || ui.transform.active();
     ui.handle_drag.cancel(state.document);
     ui.transform.cancel(state.document);
     ui.magnets = {};

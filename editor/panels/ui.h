@@ -76,7 +76,19 @@ struct Palette {
 struct Magnets {
     Box2 box_before{};
     std::vector<Box2> others{};
-    std::vector<Guide> guides{};  ///< that hold them now
+    std::vector<SnapLine> lines{};  ///< that hold them now
+};
+
+/// From place to place, metres.
+struct Measurement {
+    Vec2 from{0, 0}, to{0, 0};
+};
+
+/// A guide in the hand.
+struct GuideHand {
+    std::optional<std::size_t> index{};  ///< among the table's
+    bool is_new = false;                 ///< drawn out of a ruler
+    double before = 0;                   ///< where it was, metres
 };
 
 /// The table's text as it is shown, and where somebody types in it.
@@ -125,6 +137,9 @@ struct Ui {
     std::size_t history_seen = 0;                      ///< steps done when the history was drawn last: it scrolls to where they end
     int starter = 0;             ///< chosen of the tables to begin with
     Magnets magnets;
+    GuideHand guide_hand;
+    std::optional<Measurement> measurement;  ///< with the measure tool
+    bool measuring = false;                  ///< its end follows the mouse
     TransformDrag transform;
     Handles handles;
     HandleDrag handle_drag;

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "editor/panels/fields.h"
+#include "editor/panels/measure_tool.h"
+#include "editor/panels/rulers.h"
 #include "editor/panels/ui.h"
 #include "editor/pick.h"
 #include "editor/play_hint.h"
@@ -92,9 +94,20 @@ void draw_marquee(const AppState& state, const Ui& ui, ImDrawList& list) {
 }
 
 /// Why what is dragged stops where it does.
-void draw_guides(const AppState& state, const Ui& ui, ImDrawList& list) {
-    for (const Guide& guide : ui.magnets.guides)
-        list.AddLine(im(state.view.pixel_from_world(guide.a)), im(state.view.pixel_from_world(guide.b)), ink(palette::amber), std::max(1.0f, ui.theme.px(1)));
+void draw_snap_lines(const AppState& state, const Ui& ui, ImDrawList& list) {
+    const Theme& theme = ui.theme;
+    const float width = std::max(1.0f, theme.px(1)), end = theme.px(4);
+    for (const SnapLine& line : ui.magnets.lines) {
+        const ImVec2 a = im(state.view.pixel_from_world(line.a)), b = im(state.view.pixel_from_world(line.b));
+        list.AddLine(a, b, ink(palette::amber), width);
+        if (line.kind != SnapLine::Kind::gap) continue;
+        const bool level = line.a.y() == line.b.y();
+        const ImVec2 across = level ? ImVec2(0, end) : ImVec2(end, 0);
+        for (const ImVec2& tip : {a, b}) list.AddLine({tip.x - across.x, tip.y - across.y}, {tip.x + across.x, tip.y + across.y}, ink(palette::amber), width);
+        const Shown text = shown(length(line.b - line.a), Unit::metre);
+        const ImVec2 middle{0.5f * (a.x + b.x) + theme.px(level ? -12 : 10), 0.5f * (a.y + b.y) + theme.px(level ? 8 : -8)};
+        plate(theme, list, middle, text.number + " " + text.unit, palette::amber);
+    }
 }
 
 /// What the selection turns or scales about, and how far it has come.
@@ -153,9 +166,12 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     draw_handles(state, ui, list);
     draw_transform(state, ui, list);
     draw_guides(state, ui, list);
+    draw_snap_lines(state, ui, list);
+    draw_gap_warning(state, ui, list);
+    draw_measure(state, ui, list);
     draw_play_hint(state, theme, list);
     if (ui.marquee) draw_marquee(state, ui, list);
-    scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
+    if (!state.preferences.show_rulers) scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
     list.PopClipRect();
 }
 
@@ -175,6 +191,7 @@ void view_controls(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
 }  // namespace
 
 void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
+    rulers(state, ui, position, size);
     // The table itself is painted under this window, before the panels.
     begin_region("##viewport", position, size, palette::backdrop.faded(0), {0, 0},
                  ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);

@@ -31,6 +31,7 @@ constexpr RoleColors table[] = {
     {Role::amber, 0xf0b04a, 0x7d5200},
     {Role::coral, 0xf07f5f, 0xa8330f},
     {Role::teal, 0x55c7b0, 0x00655a},
+    {Role::guide, 0xc3a6f5, 0x6b3aa8},
     {Role::primary, 0x2a6fa5, 0x1767ab},
     {Role::primary_hot, 0x2f76ad, 0x1a71bb},
     {Role::primary_active, 0x25648f, 0x125a97},

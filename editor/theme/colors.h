@@ -31,6 +31,7 @@ enum class Role : unsigned char {
     amber,         ///< warnings, operations
     coral,         ///< errors
     teal,          ///< mechanisms
+    guide,         ///< that an author put there
     primary,       ///< the button that Enter presses
     primary_hot,
     primary_active,

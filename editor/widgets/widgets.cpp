@@ -105,6 +105,14 @@ float pill_width(const Theme& theme, std::string_view text) {
     return width + 2 * theme.px(pill_pad);
 }
 
+void plate(const Theme& theme, ImDrawList& list, ImVec2 place, std::string_view text, const Tint& color) {
+    const char *const begin = text.data(), *const end = begin + text.size();
+    const ImVec2 size = ImGui::CalcTextSize(begin, end), pad{theme.px(7), theme.px(3)};
+    place = {std::round(place.x), std::round(place.y)};
+    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y}, ink(palette::bar.faded(0.92f)), theme.px(4));
+    list.AddText(place, ink(color), begin, end);
+}
+
 std::string fitted(std::string_view text, float width) {
     if (text_width(text) <= width) return std::string(text);
     std::size_t length = text.size();

@@ -38,6 +38,9 @@ enum class PillStyle : unsigned char { filled, bare };
 void pill(const Theme& theme, std::string_view text, const Tint& color, PillStyle style);
 float pill_width(const Theme& theme, std::string_view text);
 
+/// Words on a plate of their own over a picture; `place`: where they begin.
+void plate(const Theme& theme, ImDrawList& list, ImVec2 place, std::string_view text, const Tint& color);
+
 /// Text shortened with an ellipsis to a width.
 std::string fitted(std::string_view text, float width);
 

@@ -214,6 +214,20 @@ TEST_CASE("the bounds of a node hold it, with what its group places it in") {
     CHECK(corner.contains({0.06, 0.16}));
 }
 
+TEST_CASE("zooming out ends where the table is a tenth of what fits, and zooming in where a millimetre is 200 pixels") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    state.view.size = {800, 600};
+    run(state, "view.all");
+    const double fits = state.view.pixels_per_metre;
+    for (int i = 0; i < 200; ++i) run(state, "view.zoom_out");
+    CHECK(state.view.pixels_per_metre == Approx(0.1 * fits));
+    for (int i = 0; i < 200; ++i) run(state, "view.zoom_in");
+    CHECK(state.view.pixels_per_metre == 200'000);
+    run(state, "view.all");
+    CHECK(state.view.pixels_per_metre == fits);
+}
+
 TEST_CASE("framing fits the table into the viewport, and zooming keeps the point under the hand") {
     const Folder folder;
     AppState state = opened_state(folder);

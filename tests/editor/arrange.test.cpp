@@ -1,4 +1,4 @@
-// Turning, scaling, snapping, aligning.
+// Turning, scaling, aligning.
 #include "editor/arrange.h"
 
 #include <array>
@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "editor/pick.h"
-#include "editor/snap.h"
 #include "editor/transform.h"
 #include "engine/core/rng.h"
 #include "engine/program/evaluate.h"
@@ -171,42 +170,4 @@ TEST_CASE("aligned boxes share a line; evenly spaced ones have equal gaps") {
     select(state, ids(state, {"a", "b"}));
     distribute(state, 1);
     CHECK(state.message_is_problem);
-}
-
-TEST_CASE("a snap moves a box by less than its reach onto a line of another, and shows the line both touch") {
-    CounterRng rng(3);
-    int caught = 0;
-    for (int round = 0; round < 500; ++round) {
-        const auto random_box = [&] {
-            const double x = rng.uniform(), y = rng.uniform(), w = 0.02 + 0.2 * rng.uniform(), h = 0.02 + 0.2 * rng.uniform();
-            return Box2{{x, y}, {x + w, y + h}};
-        };
-        std::vector<Box2> others;
-        for (int i = 0; i < 4; ++i) others.push_back(random_box());
-        const Box2 moved = random_box();
-        const double reach = 0.01;
-        const Snap found = snap(moved, others, reach);
-        const auto lines = [](const Box2& box, int axis) { return std::array{box.lo[axis], box.centre()[axis], box.hi[axis]}; };
-        for (const int axis : {0, 1}) {
-            double least = infinity;
-            for (const Box2& other : others)
-                for (const double there : lines(other, axis))
-                    for (const double here : lines(moved, axis)) least = std::min(least, std::fabs(there - here));
-            CHECK(found.axis[axis] == (least <= reach));
-            CHECK(std::fabs(found.push[axis]) == Approx(found.axis[axis] ? least : 0).margin(1e-9));
-            caught += found.axis[axis];
-        }
-        CHECK(found.guides.empty() == (!found.axis[0] && !found.axis[1]));
-        const Box2 there{moved.lo + found.push, moved.hi + found.push};
-        for (const Guide& guide : found.guides) {
-            const int axis = guide.a.x() == guide.b.x() ? 0 : 1;
-            const auto touches = [&](const Box2& box) {
-                const auto l = lines(box, axis);
-                return std::any_of(l.begin(), l.end(), [&](double x) { return std::fabs(x - guide.a[axis]) < 1e-8; });
-            };
-            CHECK(touches(there));
-            CHECK(std::any_of(others.begin(), others.end(), touches));
-        }
-    }
-    CHECK(caught > 100);
 }

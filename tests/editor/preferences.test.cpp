@@ -28,10 +28,15 @@ Preferences unusual() {
     p.font_size = 17.5;
     p.snapping = !p.snapping;
     p.grid = 0.005;
+    p.favourites = {"star", "chamfer_box"};
     p.show_source = !p.show_source;
     p.show_changes = !p.show_changes;
     p.show_palette = !p.show_palette;
     p.show_history = !p.show_history;
+    p.show_rulers = !p.show_rulers;
+    p.show_guides = !p.show_guides;
+    p.lock_guides = !p.lock_guides;
+    p.warn_of_gaps = !p.warn_of_gaps;
     p.left = 300, p.right = 301, p.source_width = 302, p.palette_height = 303, p.history_height = 304, p.problems_height = 305;
     return p;
 }
@@ -175,6 +180,49 @@ TEST_CASE("text grows and shrinks within bounds") {
     CHECK(state.preferences.font_size == least_font_size);
     run(state, "font.usual");
     CHECK(state.preferences.font_size == 14);
+}
+
+TEST_CASE("favourites are the palette's first, by a click on a star or by the action, and are kept") {
+    class Shelf : public Screen {
+    public:
+        explicit Shelf(AppState& state) : Screen({600, 600}), state_(state) { frame(), frame(); }
+        void frame() {
+            frame_of([&] { palette_panel(state_, ui_, {0, 0}, {300, 600}); });
+        }
+        /// Where the words begin; -1: nowhere.
+        float y_of(std::string_view words) const {
+            const auto found = std::find_if(seen().begin(), seen().end(), [&](const ScreenText& t) { return t.text == words; });
+            return found == seen().end() ? -1 : found->at.y;
+        }
+        void click(ImVec2 place) {
+            ImGui::GetIO().MousePos = place;
+            frame();
+            for (const bool down : {true, false}) ImGui::GetIO().MouseDown[0] = down, frame();
+            frame();
+        }
+
+    private:
+        AppState& state_;
+    };
+    const Folder folder;
+    AppState state = opened_state(folder);
+    Shelf shelf(state);
+    CHECK(shelf.y_of("Favourites") < 0);
+    // The first cell is 68 wide and begins at 8; its star is in its upper right corner.
+    shelf.click({8 + 68 - 10, shelf.y_of("bumper") - 48 + 10});
+    CHECK(state.preferences.favourites == std::vector<std::string>{"bumper"});
+    CHECK(shelf.y_of("Favourites") >= 0);
+    CHECK(shelf.y_of("Favourites") < shelf.y_of("Parts"));
+    select(state, id_of(state.document, "shelf"));
+    run(state, "edit.favourite");
+    CHECK(is_on(state, "edit.favourite"));
+    CHECK(state.preferences.favourites == std::vector<std::string>{"bumper", "box"});
+    shelf.frame();
+    shelf.click({8 + 68 - 10, shelf.y_of("bumper") - 48 + 10});
+    CHECK(state.preferences.favourites == std::vector<std::string>{"box"});
+    CHECK(read_from("favourites: [box, box, no_such_node]").favourites == std::vector<std::string>{"box", "no_such_node"});
+    CHECK(read_from("favourites: []").favourites.empty());
+    for (const char* bad : {"favourites: box", "favourites: [a b]", "favourites: [,]", "favourites: [", "favourites: [Box]"}) CHECK(read_from(bad) == Preferences{});
 }
 
 TEST_CASE("arrow keys move by the preferred grid, and a drag goes by it") {
