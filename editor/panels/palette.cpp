@@ -22,6 +22,20 @@ bool is_wanted(const NodeType& type, const std::string& search) {
            (search.empty() || type.key().find(search) != std::string_view::npos);
 }
 
+/// A star in the cell's corner, whose click makes the node a favourite or takes that back; true while the mouse is on it.
+bool star(AppState& state, const Theme& theme, const NodeType& type, ImVec2 corner, bool cell_hot) {
+    const bool chosen = is_favourite(state.preferences, type.key());
+    const float r = theme.px(5);
+    const ImVec2 c{corner.x - theme.px(10), corner.y + theme.px(10)}, mouse = ImGui::GetIO().MousePos;
+    const bool on = cell_hot && std::hypot(mouse.x - c.x, mouse.y - c.y) < 1.8f * r;
+    if (!chosen && !cell_hot) return false;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    draw_icon(list, chosen ? Icon::star : Icon::star_outline, c, 2 * r, ink(on ? palette::accent : chosen ? palette::amber : palette::quiet));
+    if (on && ImGui::IsMouseClicked(0)) toggle_favourite(state.preferences, type.key());
+    if (on) tooltip(theme, chosen ? "No favourite any more" : "A favourite");
+    return on;
+}
+
 /// One cell; true when it was double-clicked. A drag out of it takes the type into the hand.
 bool cell(AppState& state, Ui& ui, const NodeType& type) {
     const Theme& theme = ui.theme;
@@ -46,6 +60,8 @@ bool cell(AppState& state, Ui& ui, const NodeType& type) {
     list.AddText({std::round(place.x + 0.5f * (size.x - width)), place.y + height + theme.px(2)}, ink(hot ? palette::text : palette::quiet),
                  name.c_str());
     ImGui::PopFont();
+    const bool on_star = star(state, theme, type, {place.x + size.x, place.y}, hot && !ui.palette.carried);
+    if (on_star) return false;
     if (!ui.palette.carried) tooltip(theme, std::string(type.key()) + ": " + std::string(type.meta.doc));
     return twice;
 }
@@ -72,6 +88,13 @@ void cells(AppState& state, Ui& ui, const char* title, const std::vector<const N
     }
     ImGui::PopID();
     ImGui::Dummy({0, ui.theme.px(4)});
+}
+
+std::vector<const NodeType*> favourite_types(const AppState& state) {
+    std::vector<const NodeType*> out;
+    for (const std::string& key : state.preferences.favourites)
+        if (const NodeType* type = state.catalog->find(key); type && is_wanted(*type, "")) out.push_back(type);
+    return out;
 }
 
 std::vector<const NodeType*> found_types(const AppState& state, NodeKind kind, const std::string& search) {
@@ -107,7 +130,10 @@ void palette_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     if (ImGui::InputTextWithHint("##palette_search", "Find what to add", buffer, sizeof buffer)) ui.palette.search = buffer;
     ImGui::BeginChild("##palette_cells", {0, 0});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, theme.px(2)));
-    if (ui.palette.search.empty()) cells(state, ui, "Recent", ui.palette.recent);
+    if (ui.palette.search.empty()) {
+        cells(state, ui, "Favourites", favourite_types(state));
+        cells(state, ui, "Recent", ui.palette.recent);
+    }
     const std::pair<const char*, NodeKind> kinds[] = {
         {"Parts", NodeKind::part}, {"Shapes", NodeKind::shape}, {"Operators", NodeKind::operation}};
     bool any = false;

@@ -93,8 +93,22 @@ void draw_kind(const Pen& pen, Icon icon) {
     }
 }
 
+/// Five points up; filled, or its outline.
+void draw_star(const Pen& pen, bool filled) {
+    std::array<ImVec2, 10> points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const SineCosine t = sine_cosine_degrees(36.0 * static_cast<double>(i) - 90);
+        const double r = i % 2 == 0 ? 1.0 : 0.45;
+        points[i] = {static_cast<float>(r * t.cosine), static_cast<float>(r * t.sine)};
+    }
+    if (!filled) return pen.path(points, true);
+    for (std::size_t i = 0; i < points.size(); ++i) pen.triangle({0, 0}, points[i], points[(i + 1) % points.size()]);
+}
+
 void draw_mark(const Pen& pen, Icon icon) {
     switch (icon) {
+        case Icon::star: draw_star(pen, true); break;
+        case Icon::star_outline: draw_star(pen, false); break;
         case Icon::hidden:
             pen.arc(0, 0.55f, 1.0f, 215, 325);
             pen.arc(0, -0.55f, 1.0f, 35, 145);

@@ -6,7 +6,7 @@ namespace pinfield::editor {
 
 enum class Icon : unsigned char {
     play, pause, step, reset, shape, operation, part, group, table, physics, material, hidden, locked, error, warning, fine,
-    search, folder, file, frame, point
+    search, folder, file, frame, point, star, star_outline
 };
 
 /// Within a square of this size about `centre`.
