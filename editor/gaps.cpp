@@ -66,7 +66,8 @@ void add_bodies(const Field& field, const Similarity& world_from_field, std::vec
     for (std::size_t i = 0; i < field.solids.size(); ++i) {
         const Solid& solid = field.solids[i];
         const Box2 bounds = solid.bounds.is_finite() ? world_from_field * solid.bounds : Box2{{-infinity, -infinity}, {infinity, infinity}};
-        out.push_back({&field, static_cast<int>(i), world_from_field, world_from_field.inverse(), solid.is_domain ? Box2{{-infinity, -infinity}, {infinity, infinity}} : bounds});
+        out.push_back({&field, static_cast<int>(i), world_from_field, world_from_field.inverse(),
+                       solid.is_domain ? Box2{{-infinity, -infinity}, {infinity, infinity}} : bounds});
     }
 }
 
@@ -74,7 +75,8 @@ std::vector<Body> all_bodies(const AppState& state) {
     const Program& program = state.session.program();
     std::vector<Body> out;
     add_bodies(program.fixed, {}, out);
-    for (std::size_t i = 0; i < program.movers.size(); ++i) add_bodies(program.movers[i].field, state.session.world_from_mover(static_cast<int>(i)), out);
+    for (std::size_t i = 0; i < program.movers.size(); ++i)
+        add_bodies(program.movers[i].field, state.session.world_from_mover(static_cast<int>(i)), out);
     return out;
 }
 
@@ -147,7 +149,8 @@ std::vector<Vec2> starts(std::span<const Body> mine, std::span<const Body> other
     std::vector<Vec2> out;
     for (const auto& [distance, place] : near) {
         if (out.size() == most) break;
-        const bool beside = std::any_of(out.begin(), out.end(), [&, here = place](const Vec2& other) { return length(other - here) < 2 * step; });
+        const bool beside =
+            std::any_of(out.begin(), out.end(), [&, here = place](const Vec2& other) { return length(other - here) < 2 * step; });
         if (!beside) out.push_back(place);
     }
     return out;
@@ -163,7 +166,8 @@ bool is_open(const NarrowGap& gap, std::span<const Body> mine, std::span<const B
 std::vector<Body> take_moved(const Scene& scene, const std::vector<NodeId>& moved, std::vector<Body>& others) {
     const auto belongs = [&](const Body& body) {
         const NodeId origin = body.of().origin;
-        return std::any_of(moved.begin(), moved.end(), [&](NodeId node) { return origin == node || scene.is_within(origin, node) || scene.is_within(node, origin); });
+        return std::any_of(moved.begin(), moved.end(),
+                           [&](NodeId node) { return origin == node || scene.is_within(origin, node) || scene.is_within(node, origin); });
     };
     const auto first_mine = std::stable_partition(others.begin(), others.end(), [&](const Body& body) { return !belongs(body); });
     std::vector<Body> mine(first_mine, others.end());
@@ -217,14 +221,17 @@ std::vector<FreeStretch> free_stretches(const World& world, const Vec2& from, co
         const double there = distance_at(next);
         if ((there > 0) != (distance > 0)) {
             const double edge = crossing(along, next);
-            if (there > 0) out.push_back({edge, whole, true});
-            else out.back().end = edge;
+            if (there > 0)
+                out.push_back({edge, whole, true});
+            else
+                out.back().end = edge;
             if (there <= 0) out.back().closed = out.back().begin > 0 || begins_at_edge;
         }
         along = next;
         distance = there;
     }
-    if (!out.empty() && out.back().end == whole) out.back().closed = (out.back().begin > 0 || begins_at_edge) && std::fabs(distance) <= 1e-6;
+    if (!out.empty() && out.back().end == whole)
+        out.back().closed = (out.back().begin > 0 || begins_at_edge) && std::fabs(distance) <= 1e-6;
     std::erase_if(out, [](const FreeStretch& stretch) { return stretch.length() < 2e-6; });
     return out;
 }

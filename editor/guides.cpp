@@ -52,7 +52,9 @@ RulerScale ruler_scale(double pixels_per_metre, double least_pixels) {
             const double step = leading * decade, pixels = step * pixels_per_metre;
             if (pixels < least_pixels) continue;
             for (const int parts : {10, 5, 4, 2})
-                if (pixels / parts >= least_tick && (leading != 2 || parts != 5) && (leading != 5 || parts != 4) && (leading != 5 || parts != 2)) return {step, parts};
+                if (pixels / parts >= least_tick && (leading != 2 || parts != 5) && (leading != 5 || parts != 4) &&
+                    (leading != 5 || parts != 2))
+                    return {step, parts};
             return {step, 1};
         }
     return {most_step, 1};

@@ -1,5 +1,5 @@
-// Rulers and guides: lines across the table that an author puts there to work by. They are the view's, never the table's text. No window, no
-// ImGui.
+// Rulers and guides: lines across the table that an author puts there to work by. They are the view's, never the table's text. No window,
+// no ImGui.
 #pragma once
 #include <optional>
 #include <span>
@@ -34,7 +34,8 @@ struct RulerScale {
     const char* unit() const { return step >= 1 ? "m" : "mm"; }
 };
 
-/// The least round step (1, 2 or 5 of a power of ten) whose labels are at least `least_pixels` apart; small ticks are at least 4 pixels apart.
+/// The least round step (1, 2 or 5 of a power of ten) whose labels are at least `least_pixels` apart; small ticks are at least 4 pixels
+/// apart.
 RulerScale ruler_scale(double pixels_per_metre, double least_pixels);
 
 }  // namespace pinfield::editor

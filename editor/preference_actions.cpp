@@ -37,7 +37,8 @@ void add_guide(AppState& state, int axis) {
 
 template <ThemeChoice theme>
 constexpr Handler theme_handler(std::string_view action) {
-    return {action, always, [](AppState& s) { s.preferences.theme = theme; }, [](const AppState& s) { return s.preferences.theme == theme; }};
+    return {action, always, [](AppState& s) { s.preferences.theme = theme; },
+            [](const AppState& s) { return s.preferences.theme == theme; }};
 }
 
 template <int micrometres>
@@ -64,7 +65,8 @@ std::span<const Handler> preference_handlers() {
         {"edit.preferences", always, [](AppState& s) { s.show_preferences = true; }},
         {"preferences.close", [](const AppState& s) { return s.show_preferences; }, [](AppState& s) { s.show_preferences = false; }},
         {"preferences.usual", always, reset_preferences},
-        {"edit.favourite", [](const AppState& s) { return !selected_type(s).empty(); }, [](AppState& s) { toggle_favourite(s.preferences, selected_type(s)); },
+        {"edit.favourite", [](const AppState& s) { return !selected_type(s).empty(); },
+         [](AppState& s) { toggle_favourite(s.preferences, selected_type(s)); },
          [](const AppState& s) { return is_favourite(s.preferences, selected_type(s)); }},
         theme_handler<ThemeChoice::dark>("theme.dark"),
         theme_handler<ThemeChoice::light>("theme.light"),

@@ -17,9 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_bytes = 64 << 10;
-constexpr double most_grid = 0.1;                            ///< metres
-constexpr double least_extent = 60, most_extent = 4000;      ///< of panels, design pixels
-constexpr std::string_view file_head = "# How Pinfield's editor looks and works. It changes values here; all else in this file stays as it is.\n";
+constexpr double most_grid = 0.1;                        ///< metres
+constexpr double least_extent = 60, most_extent = 4000;  ///< of panels, design pixels
+constexpr std::string_view file_head =
+    "# How Pinfield's editor looks and works. It changes values here; all else in this file stays as it is.\n";
 
 constexpr std::string_view blank = " \t\r";
 
@@ -81,7 +82,8 @@ bool take_favourites(Preferences& p, std::string_view text) {
     for (text = text.substr(1, text.size() - 2); !text.empty();) {
         const std::size_t end = std::min(text.find(','), text.size());
         const std::string_view word = trimmed(text.substr(0, end));
-        const bool is_word = std::all_of(word.begin(), word.end(), [](char c) { return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); });
+        const bool is_word =
+            std::all_of(word.begin(), word.end(), [](char c) { return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z'); });
         if (word.empty() || !is_word || words.size() == most) return false;
         if (std::find(words.begin(), words.end(), word) == words.end()) words.emplace_back(word);
         text.remove_prefix(std::min(end + 1, text.size()));
@@ -91,12 +93,13 @@ bool take_favourites(Preferences& p, std::string_view text) {
 }
 
 constexpr PreferenceField fields[] = {
-    {"theme", "dark or light", [](const Preferences& p) { return std::string(p.theme == ThemeChoice::dark ? "dark" : "light"); }, take_theme},
+    {"theme", "dark or light", [](const Preferences& p) { return std::string(p.theme == ThemeChoice::dark ? "dark" : "light"); },
+     take_theme},
     {"font_size", "a number from 8 to 48", [](const Preferences& p) { return to_text(p.font_size); },
      [](Preferences& p, std::string_view text) { return take_number(text, least_font_size, most_font_size, p.font_size); }},
     yes_or_no<&Preferences::snapping>("snapping"),
-    {"grid", "a length up to 100mm, or off", [](const Preferences& p) { return p.grid > 0 ? write_quantity(p.grid, Unit::metre, "1mm") : std::string("off"); },
-     take_grid},
+    {"grid", "a length up to 100mm, or off",
+     [](const Preferences& p) { return p.grid > 0 ? write_quantity(p.grid, Unit::metre, "1mm") : std::string("off"); }, take_grid},
     {"favourites", "a list of nodes, such as [bumper, star]", favourites_text, take_favourites},
     yes_or_no<&Preferences::show_source>("show_source"),
     yes_or_no<&Preferences::show_changes>("show_changes"),
@@ -185,8 +188,11 @@ std::vector<std::string> read_preferences(std::string_view text, Preferences& pr
         const Line line = line_of(whole);
         if (line.key.empty() && !line.is_pair) return;
         const PreferenceField* const field = line.is_pair ? field_of(line.key) : nullptr;
-        if (!field) complaints.push_back(fmt::format("line {}: no preference is called {}", number, std::string(line.key.substr(0, 40))));
-        else if (!field->take(preferences, line.value)) complaints.push_back(fmt::format("line {}: {} is {}, not {}", number, field->key, field->wanted, std::string(line.value.substr(0, 40))));
+        if (!field)
+            complaints.push_back(fmt::format("line {}: no preference is called {}", number, std::string(line.key.substr(0, 40))));
+        else if (!field->take(preferences, line.value))
+            complaints.push_back(
+                fmt::format("line {}: {} is {}, not {}", number, field->key, field->wanted, std::string(line.value.substr(0, 40))));
     });
     return complaints;
 }
@@ -203,8 +209,10 @@ Preferences PreferencesFile::read(std::vector<std::string>& complaints) {
     std::error_code unknown;
     if (path_.empty() || !fs::exists(path_, unknown)) return known_;
     const Result<std::string> text = read_file(path_, most_bytes);
-    if (!text) complaints.push_back(text.error().message);
-    else if (text->find('\0') != std::string::npos) complaints.push_back(fmt::format("{} is no text and is left alone", path_));
+    if (!text)
+        complaints.push_back(text.error().message);
+    else if (text->find('\0') != std::string::npos)
+        complaints.push_back(fmt::format("{} is no text and is left alone", path_));
     else
         for (const std::string& complaint : read_preferences(*text, known_)) complaints.push_back(fmt::format("{}, {}", path_, complaint));
     return known_;

@@ -14,9 +14,9 @@ inline constexpr double least_font_size = 8, most_font_size = 48;
 
 struct Preferences {
     ThemeChoice theme = ThemeChoice::dark;
-    double font_size = 14;  ///< design pixels; everything else grows with it
-    bool snapping = true;   ///< drags stop where edges and middles of others are
-    double grid = 0.001;    ///< of drags and arrow keys, metres; 0: none
+    double font_size = 14;                  ///< design pixels; everything else grows with it
+    bool snapping = true;                   ///< drags stop where edges and middles of others are
+    double grid = 0.001;                    ///< of drags and arrow keys, metres; 0: none
     std::vector<std::string> favourites{};  ///< node types that stand first in the palette, by their words
     // Which panels stand open, and
     bool show_source = false;
@@ -48,7 +48,8 @@ std::span<const PreferenceField> preference_fields();
 /// Lines of `key: value`, comments behind #. What cannot be understood stays what it was in `preferences` and is complained about.
 std::vector<std::string> read_preferences(std::string_view text, Preferences& preferences);
 
-/// The text with other values for what differs between two preferences. All else of it stays as it is, to the byte, be it understood or not.
+/// The text with other values for what differs between two preferences. All else of it stays as it is, to the byte, be it understood or
+/// not.
 std::string with_preferences(const std::string& text, const Preferences& before, const Preferences& now);
 
 /// The user's file of preferences.
@@ -60,7 +61,8 @@ public:
 
     /// What it says over the usual ones; its complaints are for people.
     Preferences read(std::vector<std::string>& complaints);
-    /// Writes what became different since it was read or written last, and leaves the rest to other editors. Why it could not, once a change.
+    /// Writes what became different since it was read or written last, and leaves the rest to other editors. Why it could not, once a
+    /// change.
     std::optional<std::string> keep(const Preferences& now);
     /// What is different now is for this run only, and not kept.
     void pass_over(const Preferences& now) { known_ = now; }

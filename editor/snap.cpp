@@ -49,7 +49,8 @@ void add_lines(const Box2& moved, std::span<const Box2> others, int axis, std::v
 std::vector<Box2> row_of(const Box2& moved, std::span<const Box2> others, int axis) {
     std::vector<Box2> row;
     for (const Box2& other : others)
-        if (other.size().minCoeff() > 0 && gap_between(moved, other, 1 - axis) == 0 && moved.hi[1 - axis] > other.lo[1 - axis] && other.hi[1 - axis] > moved.lo[1 - axis])
+        if (other.size().minCoeff() > 0 && gap_between(moved, other, 1 - axis) == 0 && moved.hi[1 - axis] > other.lo[1 - axis] &&
+            other.hi[1 - axis] > moved.lo[1 - axis])
             row.push_back(other);
     return row;
 }
@@ -85,7 +86,8 @@ std::optional<EqualGaps> equal_gaps(const Box2& moved, std::span<const Box2> oth
         return box;
     };
     const auto offer = [&](double push, const Box2& first, const Box2& second, const Box2& third) {
-        if (second.lo[axis] - first.hi[axis] <= same || std::fabs(push) > reach || (best && std::fabs(push) >= std::fabs(best->push))) return;
+        if (second.lo[axis] - first.hi[axis] <= same || std::fabs(push) > reach || (best && std::fabs(push) >= std::fabs(best->push)))
+            return;
         if (is_clear(first, second, row, axis) && is_clear(second, third, row, axis)) best = EqualGaps{push, first, second, third};
     };
     for (const Box2& a : row)

@@ -25,7 +25,8 @@ std::string absolute(const std::string& table) {
 
 /// " x 120mm" of "guide: x 120mm".
 void read_guide(std::string_view text, TableAids& aids) {
-    if (text.size() < 4 || text[0] != ' ' || (text[1] != 'x' && text[1] != 'y') || text[2] != ' ' || aids.guides.size() >= most_guides) return;
+    if (text.size() < 4 || text[0] != ' ' || (text[1] != 'x' && text[1] != 'y') || text[2] != ' ' || aids.guides.size() >= most_guides)
+        return;
     const QuantityResult place = read_quantity(text.substr(3), Unit::metre);
     if (place && std::fabs(place->value) <= farthest) aids.guides.push_back({text[1] == 'x' ? 0 : 1, place->value});
 }
@@ -59,7 +60,8 @@ TableAids read_aids(std::string_view text) {
 
 std::string write_aids(const std::string& table, const TableAids& aids) {
     std::string text = fmt::format("table: {}\n", table);
-    for (const Guide& guide : aids.guides) text += fmt::format("guide: {} {}\n", guide.axis == 0 ? 'x' : 'y', write_quantity(guide.at, Unit::metre, "1mm"));
+    for (const Guide& guide : aids.guides)
+        text += fmt::format("guide: {} {}\n", guide.axis == 0 ? 'x' : 'y', write_quantity(guide.at, Unit::metre, "1mm"));
     return text;
 }
 

@@ -38,7 +38,8 @@ void draw_stretch(const AppState& state, const Theme& theme, ImDrawList& list, c
     const double diameter = 2 * state.session.program().physics.ball_radius;
     const bool narrow = stretch.closed && stretch.length() < diameter;
     const Tint color = narrow ? palette::amber : palette::teal;
-    const ImVec2 a = im(state.view.pixel_from_world(m.from + stretch.begin * along)), b = im(state.view.pixel_from_world(m.from + stretch.end * along));
+    const ImVec2 a = im(state.view.pixel_from_world(m.from + stretch.begin * along)),
+                 b = im(state.view.pixel_from_world(m.from + stretch.end * along));
     list.AddLine(a, b, ink(color), theme.px(3));
     if (!stretch.closed) return;
     const ImVec2 middle{0.5f * (a.x + b.x), 0.5f * (a.y + b.y)};
@@ -50,8 +51,10 @@ void draw_stretch(const AppState& state, const Theme& theme, ImDrawList& list, c
     // Beside the line, not upon it.
     const bool level = std::fabs(b.x - a.x) > std::fabs(b.y - a.y);
     const float size = ImGui::CalcTextSize(words.c_str()).x;
-    if (level) plate(theme, list, {middle.x - 0.5f * size, middle.y + r + theme.px(8)}, words, color);
-    else plate(theme, list, {middle.x + r + theme.px(10), middle.y - 0.5f * ImGui::GetFontSize()}, words, color);
+    if (level)
+        plate(theme, list, {middle.x - 0.5f * size, middle.y + r + theme.px(8)}, words, color);
+    else
+        plate(theme, list, {middle.x + r + theme.px(10), middle.y - 0.5f * ImGui::GetFontSize()}, words, color);
 }
 
 }  // namespace
@@ -77,7 +80,8 @@ void measure(AppState& state, Ui& ui) {
 void draw_measure(const AppState& state, const Ui& ui, ImDrawList& list) {
     if (state.tool != Tool::measure) return;
     const Theme& theme = ui.theme;
-    if (ui.viewport_hovered && !ui.measuring) draw_end(list, theme, im(state.view.pixel_from_world(place_under(state, ui))), ink(palette::accent));
+    if (ui.viewport_hovered && !ui.measuring)
+        draw_end(list, theme, im(state.view.pixel_from_world(place_under(state, ui))), ink(palette::accent));
     if (!ui.measurement) return;
     const Measurement& m = *ui.measurement;
     const ImVec2 a = im(state.view.pixel_from_world(m.from)), b = im(state.view.pixel_from_world(m.to));
@@ -93,9 +97,10 @@ void draw_measure(const AppState& state, const Ui& ui, ImDrawList& list) {
     }
     draw_end(list, theme, a, ink(palette::accent));
     draw_end(list, theme, b, ink(palette::accent));
-    const std::string words = fmt::format("{} mm    x {}  y {}    {}\u00b0", millimetres(distance), millimetres(delta.x()), millimetres(delta.y()),
-                                          to_text(degrees(arc_tangent(delta.y(), delta.x())), 1));
-    const float width = ImGui::CalcTextSize(words.c_str()).x, right = static_cast<float>(state.view.origin.x() + state.view.size.x()) - theme.px(10);
+    const std::string words = fmt::format("{} mm    x {}  y {}    {}\u00b0", millimetres(distance), millimetres(delta.x()),
+                                          millimetres(delta.y()), to_text(degrees(arc_tangent(delta.y(), delta.x())), 1));
+    const float width = ImGui::CalcTextSize(words.c_str()).x,
+                right = static_cast<float>(state.view.origin.x() + state.view.size.x()) - theme.px(10);
     const float above = b.y <= a.y ? -theme.px(30) : theme.px(14);
     plate(theme, list, {std::min(b.x + theme.px(12), right - width), b.y + above}, words, palette::text);
 }
@@ -103,10 +108,12 @@ void draw_measure(const AppState& state, const Ui& ui, ImDrawList& list) {
 void draw_gap_warning(const AppState& state, const Ui& ui, ImDrawList& list) {
     if (!state.preferences.warn_of_gaps) return;
     std::vector<NodeId> moved;
-    if (ui.handle_drag.active()) moved.push_back(ui.handle_drag.node());
+    if (ui.handle_drag.active())
+        moved.push_back(ui.handle_drag.node());
     else if (ui.drag.active())
         for (const Held& held : ui.drag.held()) moved.push_back(held.node);
-    else if (ui.transform.active()) moved = state.selection.nodes();
+    else if (ui.transform.active())
+        moved = state.selection.nodes();
     if (moved.empty()) return;
     const auto gap = narrowest_gap(state, moved, 2 * state.session.program().physics.ball_radius);
     if (!gap) return;
@@ -116,10 +123,13 @@ void draw_gap_warning(const AppState& state, const Ui& ui, ImDrawList& list) {
     const ImVec2 across{-end * dy / l, end * dx / l};
     const float width = std::max(1.0f, theme.px(2));
     list.AddLine(a, b, ink(palette::amber), width);
-    for (const ImVec2& tip : {a, b}) list.AddLine({tip.x - across.x, tip.y - across.y}, {tip.x + across.x, tip.y + across.y}, ink(palette::amber), width);
+    for (const ImVec2& tip : {a, b})
+        list.AddLine({tip.x - across.x, tip.y - across.y}, {tip.x + across.x, tip.y + across.y}, ink(palette::amber), width);
     const std::string words = millimetres(gap->width) + " mm: narrower than a ball";
-    const float wide = ImGui::CalcTextSize(words.c_str()).x, right = static_cast<float>(state.view.origin.x() + state.view.size.x()) - theme.px(10);
-    plate(theme, list, {std::min(std::max(a.x, b.x) + theme.px(14), right - wide), 0.5f * (a.y + b.y) - 0.5f * ImGui::GetFontSize()}, words, palette::amber);
+    const float wide = ImGui::CalcTextSize(words.c_str()).x,
+                right = static_cast<float>(state.view.origin.x() + state.view.size.x()) - theme.px(10);
+    plate(theme, list, {std::min(std::max(a.x, b.x) + theme.px(14), right - wide), 0.5f * (a.y + b.y) - 0.5f * ImGui::GetFontSize()}, words,
+          palette::amber);
 }
 
 }  // namespace pinfield::editor

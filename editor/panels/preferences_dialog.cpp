@@ -27,7 +27,8 @@ const std::vector<Row>& rows() {
     static const std::vector<Row> all{
         {"Theme", {{"theme.dark", "Dark"}, {"theme.light", "Light"}}},
         {"Text", {{"font.smaller", "Smaller"}, {"font.usual", "Usual"}, {"font.larger", "Larger"}}},
-        {"Grid", {{"grid.off", "None"}, {"grid.tenth", "0.1"}, {"grid.1mm", "1"}, {"grid.2mm", "2"}, {"grid.5mm", "5"}, {"grid.10mm", "10 mm"}}},
+        {"Grid",
+         {{"grid.off", "None"}, {"grid.tenth", "0.1"}, {"grid.1mm", "1"}, {"grid.2mm", "2"}, {"grid.5mm", "5"}, {"grid.10mm", "10 mm"}}},
         {"Snap to others", {{"tool.snap", ""}}},
         {"Rulers", {{"view.rulers", ""}}},
         {"Guides", {{"view.guides", ""}}},
@@ -42,7 +43,8 @@ const std::vector<Row>& rows() {
 
 /// The row that arrows change is marked at its left edge.
 void mark_row(const Theme& theme, ImVec2 place, float height) {
-    ImGui::GetWindowDrawList()->AddRectFilled({place.x - theme.px(10), place.y}, {place.x - theme.px(7), place.y + height}, ink(palette::accent), theme.px(1.5f));
+    ImGui::GetWindowDrawList()->AddRectFilled({place.x - theme.px(10), place.y}, {place.x - theme.px(7), place.y + height},
+                                              ink(palette::accent), theme.px(1.5f));
 }
 
 /// A switch: its knob's place shows the state without any color. True when it was clicked.
@@ -82,8 +84,10 @@ std::string_view draw_row(const AppState& state, const Theme& theme, const Row& 
         tooltip(theme, find_action(choice.action)->doc);
         ImGui::SameLine(0, theme.px(4));
     }
-    if (row.choices.front().action.starts_with("font.")) text_in(theme.body, palette::quiet, fmt::format("  {:g}", state.preferences.font_size));
-    else ImGui::NewLine();
+    if (row.choices.front().action.starts_with("font."))
+        text_in(theme.body, palette::quiet, fmt::format("  {:g}", state.preferences.font_size));
+    else
+        ImGui::NewLine();
     return action;
 }
 
@@ -91,7 +95,8 @@ std::string_view draw_row(const AppState& state, const Theme& theme, const Row& 
 std::string_view stepped(const AppState& state, const Row& row, int by) {
     const int count = static_cast<int>(row.choices.size());
     if (count == 1) return row.choices.front().action;
-    if (row.choices.front().action.starts_with("font.")) return by < 0 ? row.choices.front().action : by > 0 ? row.choices.back().action : "font.usual";
+    if (row.choices.front().action.starts_with("font."))
+        return by < 0 ? row.choices.front().action : by > 0 ? row.choices.back().action : "font.usual";
     int now = 0;
     for (int i = 0; i < count; ++i)
         if (is_on(state, at(row.choices, i).action)) now = i;

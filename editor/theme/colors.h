@@ -1,5 +1,5 @@
-// The colors of the editor by what they are for, in a dark and a light theme. Panels name the purpose; which color that is, the ImGui context
-// knows, as it knows fonts and style.
+// The colors of the editor by what they are for, in a dark and a light theme. Panels name the purpose; which color that is, the ImGui
+// context knows, as it knows fonts and style.
 #pragma once
 #include <imgui.h>
 
@@ -12,34 +12,40 @@
 namespace pinfield::editor {
 
 enum class Role : unsigned char {
-    backdrop,      ///< behind the table
+    backdrop,  ///< behind the table
     panel,
-    bar,           ///< menu, transport, status
-    raised,        ///< menus, dialogs, tooltips
-    field,         ///< what can be edited
+    bar,     ///< menu, transport, status
+    raised,  ///< menus, dialogs, tooltips
+    field,   ///< what can be edited
     field_hot,
     field_active,
-    row_hot,       ///< of a menu or list, under the mouse
-    line,          ///< borders
-    grab,          ///< of a scrollbar
-    dim,           ///< over all that waits behind a dialog
+    row_hot,  ///< of a menu or list, under the mouse
+    line,     ///< borders
+    grab,     ///< of a scrollbar
+    dim,      ///< over all that waits behind a dialog
     text,
-    quiet,         ///< labels, units
-    faint,         ///< disabled, placeholders
-    accent,        ///< selection, focus
-    accent_deep,   ///< behind what is selected
-    amber,         ///< warnings, operations
-    coral,         ///< errors
-    teal,          ///< mechanisms
-    guide,         ///< that an author put there
-    primary,       ///< the button that Enter presses
+    quiet,        ///< labels, units
+    faint,        ///< disabled, placeholders
+    accent,       ///< selection, focus
+    accent_deep,  ///< behind what is selected
+    amber,        ///< warnings, operations
+    coral,        ///< errors
+    teal,         ///< mechanisms
+    guide,        ///< that an author put there
+    primary,      ///< the button that Enter presses
     primary_hot,
     primary_active,
-    on_primary,    ///< its words
+    on_primary,  ///< its words
     // The table's text.
-    yaml_comment, yaml_key, yaml_number, yaml_quoted, yaml_anchor,
+    yaml_comment,
+    yaml_key,
+    yaml_number,
+    yaml_quoted,
+    yaml_anchor,
     // The table's floor, low and high, and the frame around it.
-    floor_low, floor_high, rim,
+    floor_low,
+    floor_high,
+    rim,
     count
 };
 

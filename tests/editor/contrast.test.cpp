@@ -1,7 +1,7 @@
-// Can all words be read? What the panels draw is painted into a small picture, and each letter is held against what lies under it. WCAG 2.1,
-// success criterion 1.4.3: 4.5 : 1.
-#include <catch2/catch.hpp>
+// Can all words be read? What the panels draw is painted into a small picture, and each letter is held against what lies under it.
+// WCAG 2.1, success criterion 1.4.3: 4.5 : 1.
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,17 +34,22 @@ double contrast(const Rgb& a, const Rgb& b) {
 class Paper {
 public:
     Paper(ImVec2 size, const Rgb& color)
-        : width_(static_cast<int>(size.x) / cell + 1), height_(static_cast<int>(size.y) / cell + 1),
+        : width_(static_cast<int>(size.x) / cell + 1),
+          height_(static_cast<int>(size.y) / cell + 1),
           cells_(static_cast<std::size_t>(width_ * height_), color) {}
 
     Rgb at_place(ImVec2 p) const { return at(cells_, index(p)); }
-    bool holds(ImVec2 p) const { return p.x >= 0 && p.y >= 0 && p.x < static_cast<float>(width_ * cell) && p.y < static_cast<float>(height_ * cell); }
+    bool holds(ImVec2 p) const {
+        return p.x >= 0 && p.y >= 0 && p.x < static_cast<float>(width_ * cell) && p.y < static_cast<float>(height_ * cell);
+    }
 
     void paint(const ImDrawVert& a, const ImDrawVert& b, const ImDrawVert& c, const ImVec4& clip) {
         const float area = (b.pos.x - a.pos.x) * (c.pos.y - a.pos.y) - (b.pos.y - a.pos.y) * (c.pos.x - a.pos.x);
         if (area == 0) return;
-        const float left = std::max({0.0f, clip.x, std::min({a.pos.x, b.pos.x, c.pos.x})}), right = std::min(clip.z, std::max({a.pos.x, b.pos.x, c.pos.x}));
-        const float top = std::max({0.0f, clip.y, std::min({a.pos.y, b.pos.y, c.pos.y})}), bottom = std::min(clip.w, std::max({a.pos.y, b.pos.y, c.pos.y}));
+        const float left = std::max({0.0f, clip.x, std::min({a.pos.x, b.pos.x, c.pos.x})}),
+                    right = std::min(clip.z, std::max({a.pos.x, b.pos.x, c.pos.x}));
+        const float top = std::max({0.0f, clip.y, std::min({a.pos.y, b.pos.y, c.pos.y})}),
+                    bottom = std::min(clip.w, std::max({a.pos.y, b.pos.y, c.pos.y}));
         for (int y = static_cast<int>(top) / cell; y <= static_cast<int>(bottom) / cell && y < height_; ++y)
             for (int x = static_cast<int>(left) / cell; x <= static_cast<int>(right) / cell && x < width_; ++x) {
                 const ImVec2 p{(static_cast<float>(x) + 0.5f) * cell, (static_cast<float>(y) + 0.5f) * cell};
@@ -115,7 +120,8 @@ std::map<std::string, double> unreadable(const std::vector<ScreenText>& seen, co
                 const Rgb under = paper.at_place(middle);
                 const double reached = contrast(Paper::blended(under, ImGui::ColorConvertU32ToFloat4(a.col)), under);
                 if (reached < least_contrast) {
-                    const std::string colors = fmt::format(" ({} on {})", hex_of(Paper::blended(under, ImGui::ColorConvertU32ToFloat4(a.col))), hex_of(under));
+                    const std::string colors =
+                        fmt::format(" ({} on {})", hex_of(Paper::blended(under, ImGui::ColorConvertU32ToFloat4(a.col))), hex_of(under));
                     double& worst = found.try_emplace(words_at(middle) + colors, reached).first->second;
                     worst = std::min(worst, reached);
                 }
@@ -162,7 +168,8 @@ public:
         const Colors& colors = colors_of(theme_);
         for (const Role role : {Role::backdrop, Role::floor_low, Role::floor_high})
             for (const auto& [words, reached] : unreadable(seen(), Tint::literal(at(colors, role)).rgb()))
-                FAIL_CHECK(fmt::format("{}, {} theme: \"{}\" has {:.2f} : 1", when, theme_ == ThemeChoice::dark ? "dark" : "light", words, reached));
+                FAIL_CHECK(fmt::format("{}, {} theme: \"{}\" has {:.2f} : 1", when, theme_ == ThemeChoice::dark ? "dark" : "light", words,
+                                       reached));
     }
     /// With the mouse over the words, one after the other.
     void judge_hovering(const char* when) {
@@ -217,7 +224,8 @@ TEST_CASE("all words of both themes can be read: panels, with the mouse anywhere
 TEST_CASE("all words of both themes can be read: problems, and text that does not read") {
     for (const ThemeChoice theme : {ThemeChoice::dark, ThemeChoice::light}) {
         Look look(theme);
-        open_file(look.state(), look.folder().write("bad.yaml", "pinfield: 1\nscene:\n  - bumper: {id: a, raduis: 3}\n  - circle: {radius: -1}\n# done\n"));
+        open_file(look.state(), look.folder().write(
+                                    "bad.yaml", "pinfield: 1\nscene:\n  - bumper: {id: a, raduis: 3}\n  - circle: {radius: -1}\n# done\n"));
         for (int i = 0; i < 5; ++i) look.frame();
         look.judge_hovering("problems");
     }

@@ -1,7 +1,7 @@
 #include "editor/gaps.h"
 
-#include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <catch2/catch.hpp>
 
 #include <cmath>
 
@@ -20,10 +20,15 @@ namespace {
 constexpr double ball = 0.027;
 
 AppState table_with(const Folder& folder, const std::string& nodes) {
-    return opened_state(folder, "pinfield: 1\ntable: {size: [1, 1]}\nscene:\n  - domain: {id: hall, children: [box: {id: room, size: [0.9, 0.9], at: [0.5, 0.5]}]}\n" + nodes);
+    return opened_state(folder,
+                        "pinfield: 1\ntable: {size: [1, 1]}\nscene:\n  - domain: {id: hall, children: [box: {id: room, size: [0.9, 0.9], "
+                        "at: [0.5, 0.5]}]}\n" +
+                            nodes);
 }
 
-std::string disc(const char* id, double x, double y, double radius) { return fmt::format("  - circle: {{id: {}, at: [{}, {}], radius: {}}}\n", id, x, y, radius); }
+std::string disc(const char* id, double x, double y, double radius) {
+    return fmt::format("  - circle: {{id: {}, at: [{}, {}], radius: {}}}\n", id, x, y, radius);
+}
 
 }  // namespace
 
@@ -32,7 +37,8 @@ TEST_CASE("between two discs the gap is the distance of their middles without th
     int narrow = 0, touching = 0, wide = 0;
     for (int i = 0; i < 60; ++i) {
         const Folder folder;
-        const double r = 0.02 + 0.06 * rng.uniform(), s = 0.02 + 0.06 * rng.uniform(), gap = -0.01 + 0.05 * rng.uniform(), angle = two_pi * rng.uniform();
+        const double r = 0.02 + 0.06 * rng.uniform(), s = 0.02 + 0.06 * rng.uniform(), gap = -0.01 + 0.05 * rng.uniform(),
+                     angle = two_pi * rng.uniform();
         const Vec2 a(0.5, 0.5), b = a + (r + s + gap) * Vec2(cosine(angle), sine(angle));
         const AppState state = table_with(folder, disc("a", a.x(), a.y(), r) + disc("b", b.x(), b.y(), s));
         const auto found = narrowest_gap(state, {id_of(state.document, "a")}, ball);
@@ -71,10 +77,14 @@ TEST_CASE("random solids: no gap is told that brute force does not find, and non
     for (int i = 0; i < 40; ++i) {
         const Folder folder;
         const auto uniform = [&](double lo, double hi) { return lo + (hi - lo) * rng.uniform(); };
-        const std::string mine = i % 2 ? fmt::format("  - box: {{id: mine, at: [0.5, 0.5], size: [{}, {}], turn: {}}}\n", uniform(0.04, 0.1), uniform(0.04, 0.1), uniform(0, 90))
-                                       : fmt::format("  - ellipse: {{id: mine, at: [0.5, 0.5], radii: [{}, {}], turn: {}}}\n", uniform(0.03, 0.06), uniform(0.02, 0.05), uniform(0, 90));
+        const std::string mine = i % 2 ? fmt::format("  - box: {{id: mine, at: [0.5, 0.5], size: [{}, {}], turn: {}}}\n",
+                                                     uniform(0.04, 0.1), uniform(0.04, 0.1), uniform(0, 90))
+                                       : fmt::format("  - ellipse: {{id: mine, at: [0.5, 0.5], radii: [{}, {}], turn: {}}}\n",
+                                                     uniform(0.03, 0.06), uniform(0.02, 0.05), uniform(0, 90));
         const double angle = uniform(0, two_pi), away = uniform(0.06, 0.13);
-        const std::string other = fmt::format("  - box: {{id: other, at: [{}, {}], size: [{}, {}], turn: {}}}\n", 0.5 + away * cosine(angle), 0.5 + away * sine(angle), uniform(0.03, 0.08), uniform(0.03, 0.08), uniform(0, 90));
+        const std::string other =
+            fmt::format("  - box: {{id: other, at: [{}, {}], size: [{}, {}], turn: {}}}\n", 0.5 + away * cosine(angle),
+                        0.5 + away * sine(angle), uniform(0.03, 0.08), uniform(0.03, 0.08), uniform(0, 90));
         const AppState state = table_with(folder, mine + other);
         // Brute force: what is between two convex solids is least where the sum of the distances is.
         const Field& field = state.session.program().fixed;
@@ -92,9 +102,12 @@ TEST_CASE("random solids: no gap is told that brute force does not find, and non
             }
         const auto found = narrowest_gap(state, {id_of(state.document, "mine")}, ball);
         INFO(mine << other << least << ", " << deepest);
-        if (deepest < -1e-3) CHECK_FALSE(found);
-        else if (least < ball - 0.004 && deepest > 1e-3) REQUIRE(found);
-        else if (least > ball + 0.004) CHECK_FALSE(found);
+        if (deepest < -1e-3)
+            CHECK_FALSE(found);
+        else if (least < ball - 0.004 && deepest > 1e-3)
+            REQUIRE(found);
+        else if (least > ball + 0.004)
+            CHECK_FALSE(found);
         if (!found) continue;
         ++found_some;
         CHECK(found->width <= least + 1e-7);
@@ -107,7 +120,8 @@ TEST_CASE("a corner that leads to a touch is no gap, and a third solid closes on
     const Folder folder;
     const AppState wedge = table_with(folder, "  - box: {id: mine, at: [0.08, 0.5], size: [100mm, 20mm], turn: 30}\n");
     CHECK_FALSE(narrowest_gap(wedge, {id_of(wedge.document, "mine")}, ball));  // it stands in the wall
-    const AppState closed = table_with(folder, disc("a", 0.4, 0.5, 0.03) + disc("b", 0.48, 0.5, 0.03) + "  - box: {id: plug, at: [0.44, 0.5], size: [30mm, 60mm]}\n");
+    const AppState closed = table_with(
+        folder, disc("a", 0.4, 0.5, 0.03) + disc("b", 0.48, 0.5, 0.03) + "  - box: {id: plug, at: [0.44, 0.5], size: [30mm, 60mm]}\n");
     CHECK_FALSE(narrowest_gap(closed, {id_of(closed.document, "a")}, ball));
 }
 

@@ -159,7 +159,8 @@ TEST_CASE("a node that is dragged near a guide comes in line with it to 1e-9; hi
 
 TEST_CASE("a node comes in line with the axis of a mirror, wherever that stands, but not with its own") {
     const Folder folder;
-    const AppState state = opened_state(folder, disc + R"(  - mirror: {id: m, at: [0.4321, 0.2], children: [circle: {id: half, at: [0.1, 0], radius: 20mm}]}
+    const AppState state =
+        opened_state(folder, disc + R"(  - mirror: {id: m, at: [0.4321, 0.2], children: [circle: {id: half, at: [0.1, 0], radius: 20mm}]}
   - mirror: {id: turned, at: [0.4, 0.3], turn: 20, children: [circle: {at: [0.1, 0], radius: 20mm}]}
   - mirror: {id: level, across: y, at: [0.4, 0.6543], children: [circle: {at: [0.1, 0.05], radius: 20mm}]}
 )");
@@ -210,13 +211,16 @@ TEST_CASE("guides are kept for each table beside the preferences, and follow it 
 }
 
 TEST_CASE("files of guides are read as far as they can be, and never too many of them are kept") {
-    CHECK(read_aids("table: x\nguide: x 120mm\nguide: z 1\nguide:\nguide: y\nguide: y 0.5\r\nguide: y 1e9\nguide: x nan\nwhat\nguide: y 0.5").guides ==
-          std::vector<Guide>{{0, 0.12}, {1, 0.5}});
+    CHECK(
+        read_aids("table: x\nguide: x 120mm\nguide: z 1\nguide:\nguide: y\nguide: y 0.5\r\nguide: y 1e9\nguide: x nan\nwhat\nguide: y 0.5")
+            .guides == std::vector<Guide>{{0, 0.12}, {1, 0.5}});
     std::string many;
     for (int i = 0; i < 1000; ++i) many += "guide: x 1mm\n";
     CHECK(read_aids(many).guides.size() == most_guides);
     const Folder folder;
-    const auto count = [&] { return std::distance(std::filesystem::directory_iterator(folder.file("tables")), std::filesystem::directory_iterator{}); };
+    const auto count = [&] {
+        return std::distance(std::filesystem::directory_iterator(folder.file("tables")), std::filesystem::directory_iterator{});
+    };
     AidsFolder aids(folder.file("tables"));
     for (int i = 0; i < 210; ++i) {
         aids.open("/t/" + std::to_string(i));

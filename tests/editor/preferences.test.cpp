@@ -1,7 +1,7 @@
 #include "editor/preferences.h"
 
-#include <catch2/catch.hpp>
 #include <rapidcheck.h>
+#include <catch2/catch.hpp>
 
 #include <set>
 
@@ -72,7 +72,8 @@ TEST_CASE("where nothing is changed nothing is written, and without a file nothi
 }
 
 TEST_CASE("lines that are not understood are complained about and stay, with comments, order and line ends") {
-    const std::string text = "# mine\r\ntheme:light   # at night\r\n\r\nwings: 4\r\nfont_size: enormous\nnonsense\ngrid: 2 # mm\n  snapping :  false";
+    const std::string text =
+        "# mine\r\ntheme:light   # at night\r\n\r\nwings: 4\r\nfont_size: enormous\nnonsense\ngrid: 2 # mm\n  snapping :  false";
     Preferences read;
     const std::vector<std::string> complaints = read_preferences(text, read);
     REQUIRE(complaints.size() == 4);
@@ -86,13 +87,17 @@ TEST_CASE("lines that are not understood are complained about and stay, with com
     now.theme = ThemeChoice::dark;
     now.snapping = true;
     now.show_history = true;
-    CHECK(with_preferences(text, read, now) == "# mine\r\ntheme:dark   # at night\r\n\r\nwings: 4\r\nfont_size: enormous\nnonsense\ngrid: 2 # mm\n  snapping :  true\nshow_history: true\n");
+    CHECK(with_preferences(text, read, now) ==
+          "# mine\r\ntheme:dark   # at night\r\n\r\nwings: 4\r\nfont_size: enormous\nnonsense\ngrid: 2 # mm\n  snapping :  "
+          "true\nshow_history: true\n");
 }
 
 TEST_CASE("whatever the file holds, what is changed is read back and every other line stays") {
     rc::check([] {
-        const auto line = rc::gen::element<std::string>("theme: light", "theme: dark", "theme:", "theme", "font_size: 12 # x", "font_size:", "grid: off", "grid: -1mm", "left_width: 9e99", "left_width: 400",
-                                                        "# theme: light", "", "  ", "future: {a: b}", "\tsnapping:false", "snapping: false\r", ": 3", "show_source: true", "\xff\xfe:1");
+        const auto line =
+            rc::gen::element<std::string>("theme: light", "theme: dark", "theme:", "theme", "font_size: 12 # x", "font_size:", "grid: off",
+                                          "grid: -1mm", "left_width: 9e99", "left_width: 400", "# theme: light", "", "  ", "future: {a: b}",
+                                          "\tsnapping:false", "snapping: false\r", ": 3", "show_source: true", "\xff\xfe:1");
         const auto lines = *rc::gen::container<std::vector<std::string>>(line);
         const bool ends = *rc::gen::arbitrary<bool>();
         std::string text;
@@ -116,7 +121,8 @@ TEST_CASE("whatever the file holds, what is changed is read back and every other
         std::size_t changed = 0;
         for (const PreferenceField& field : preference_fields()) changed += field.text(now) != field.text(before) ? 1 : 0;
         RC_ASSERT(gone <= changed * lines.size());
-        for (const std::string kept : {"# theme: light", "future: {a: b}", ": 3", "\xff\xfe:1", "theme"}) RC_ASSERT(new_lines.count(kept) == old_lines.count(kept));
+        for (const std::string kept : {"# theme: light", "future: {a: b}", ": 3", "\xff\xfe:1", "theme"})
+            RC_ASSERT(new_lines.count(kept) == old_lines.count(kept));
     });
 }
 
@@ -222,7 +228,8 @@ TEST_CASE("favourites are the palette's first, by a click on a star or by the ac
     CHECK(state.preferences.favourites == std::vector<std::string>{"box"});
     CHECK(read_from("favourites: [box, box, no_such_node]").favourites == std::vector<std::string>{"box", "no_such_node"});
     CHECK(read_from("favourites: []").favourites.empty());
-    for (const char* bad : {"favourites: box", "favourites: [a b]", "favourites: [,]", "favourites: [", "favourites: [Box]"}) CHECK(read_from(bad) == Preferences{});
+    for (const char* bad : {"favourites: box", "favourites: [a b]", "favourites: [,]", "favourites: [", "favourites: [Box]"})
+        CHECK(read_from(bad) == Preferences{});
 }
 
 TEST_CASE("arrow keys move by the preferred grid, and a drag goes by it") {

@@ -43,7 +43,9 @@ bool evenly(const Box2& a, const Box2& b, const Box2& c, const Box2& moved, cons
     if (first <= 1e-9 || std::fabs(first - second) > 1e-9) return false;
     for (const Box2& other : others)
         for (const double edge : {other.lo[axis], other.hi[axis]})
-            if (shares_row(other, moved, axis) && ((edge > a.hi[axis] + 1e-9 && edge < b.lo[axis] - 1e-9) || (edge > b.hi[axis] + 1e-9 && edge < c.lo[axis] - 1e-9))) return false;
+            if (shares_row(other, moved, axis) &&
+                ((edge > a.hi[axis] + 1e-9 && edge < b.lo[axis] - 1e-9) || (edge > b.hi[axis] + 1e-9 && edge < c.lo[axis] - 1e-9)))
+                return false;
     return shares_row(a, b, axis) && shares_row(b, c, axis) && shares_row(a, c, axis);
 }
 
@@ -94,7 +96,8 @@ TEST_CASE("a snap is the least push within its reach onto a line of another or t
         const Box2 moved = random.box();
         const Snap found = snap(moved, others, reach);
         for (const int axis : {0, 1}) {
-            const double line = least_to_line(moved, others, axis), gaps = least_to_equal_gaps(moved, others, axis), least = std::min(line, gaps);
+            const double line = least_to_line(moved, others, axis), gaps = least_to_equal_gaps(moved, others, axis),
+                         least = std::min(line, gaps);
             REQUIRE(found.axis[axis] == (least <= reach));
             REQUIRE(std::fabs(std::fabs(found.push[axis]) - (found.axis[axis] ? least : 0)) <= 2e-9);
             on_lines += found.axis[axis] && line < gaps;
@@ -149,7 +152,8 @@ TEST_CASE("the third of three in a row comes as far from the second as that is f
     const std::vector<Box2> two{{{0, 0}, {0.1, 0.1}}, {{0.15, 0.02}, {0.25, 0.12}}};
     const Snap found = snap({{0.304, 0.047}, {0.331, 0.094}}, two, 0.006);
     CHECK(found.push.x() == Approx(-0.004).margin(1e-12));
-    CHECK(std::count_if(found.lines.begin(), found.lines.end(), [](const SnapLine& line) { return line.kind == SnapLine::Kind::gap; }) == 2);
+    CHECK(std::count_if(found.lines.begin(), found.lines.end(), [](const SnapLine& line) { return line.kind == SnapLine::Kind::gap; }) ==
+          2);
     const Snap below = snap({{0.304, 0.347}, {0.331, 0.394}}, two, 0.006);  // in no row with them
     CHECK_FALSE(below.axis[0]);
 }
