@@ -48,6 +48,8 @@ void Recorder::log(const Event& event, const Program& program) {
     add_name("material", event.material >= 0 ? at(program.materials, event.material).name : "");
     line.add("x", event.position.x()).add("y", event.position.y());
     line.add("nx", event.normal.x()).add("ny", event.normal.y()).add("speed", event.speed);
+    if (event.other) line.add("other", event.other.value);
+    if (event.kind == EventKind::leave) line.add("duration", event.duration);
     events_->write(line.text() + "\n");
 }
 

@@ -136,6 +136,20 @@ void follow_spawns(WorldState& w, const Program& before) {
     }
 }
 
+/// Balls stay on their layers, which are known by name; one whose layers are gone is on the ground.
+void keep_layers(WorldState& w, const Program& before) {
+    const std::vector<std::string>& layers = w.program().layers;
+    for (Ball& ball : w.balls) {
+        LayerMask kept = 0;
+        for (std::size_t k = 0; k < before.layers.size(); ++k) {
+            if ((ball.layer & (LayerMask{1} << k)) == 0) continue;
+            const auto now = std::find(layers.begin(), layers.end(), before.layers[k]) - layers.begin();
+            if (to_index(static_cast<int>(now)) < layers.size()) kept |= LayerMask{1} << now;
+        }
+        ball.layer = kept ? kept : ground_layer;
+    }
+}
+
 /// Keeps the motion of a mover whose part is still there, within its new end-stops.
 void keep_motion(MoverState& now, const MoverState& before) {
     now.q = std::clamp(before.q, now.q_min, now.q_max);
@@ -246,6 +260,7 @@ void World::set_program(ProgramPtr program) {
             if (origin(w.program(), m) == origin(*before->program, k) && w.program().movers[m].slides == before->program->movers[k].slides)
                 keep_motion(w.movers[m], movers[k]);
     keep_inputs(w, *before->program);
+    keep_layers(w, *before->program);
     follow_spawns(w, *before->program);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         Ball& ball = w.balls[i];

@@ -177,15 +177,11 @@ std::optional<double> missed_start(const Range& range, const Shot& shot) {
     do {
         if (++ticks > 2000) return {};
         forth.step();
-    } while (forth.events().empty());
+    } while (forth.stats().impacts == 0);
     World back = world_in(range);
     back.add_ball(forth.balls()[0].position, -forth.balls()[0].velocity);
-    std::size_t hits = 0;
-    for (int tick = 0; tick < ticks; ++tick) {
-        back.step();
-        hits += back.events().size();
-    }
-    if (hits != 1) return {};
+    for (int tick = 0; tick < ticks; ++tick) back.step();
+    if (back.stats().impacts != 1) return {};
     return length(back.balls()[0].position - shot.from);
 }
 

@@ -176,3 +176,20 @@ TEST_CASE("the auditor sees a ball where it stands, though it has no path") {
     CHECK(auditor.report().worst_depth == Approx(r + 0.02));
     CHECK(auditor.report().crossings == 1);
 }
+
+TEST_CASE("a ball of another layer does not stand in the way of one that looks for a free place") {
+    World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\nscene:\n  - circle: {at: [0.5, 0.5], radius: 0.1}\n"
+                           "  - spawn: {layer: [upstairs], at: [0.5, 0.62]}\n  - spawn: {at: [0.3, 0.3]}\n"));
+    world.add_spawned_balls();
+    const Ball upstairs = world.balls()[0], ground = world.balls()[1];
+    REQUIRE_FALSE(share_layer(upstairs, ground));
+    world.set_ball(ground.id, {0.5, 0.59}, {0, 0});
+    const auto place = free_place(world, *world.find(ground.id), 0.25);
+    REQUIRE(place);
+    CHECK(length(*place - Vec2(0.5, 0.6 + r)) < 1e-4);  // where the other ball is, had they a layer in common
+    world.set_ball(upstairs.id, {0.8, 0.8}, {0, 0});
+    world.add_ball({0.5, 0.62}, {0, 0});
+    const auto farther = free_place(world, *world.find(ground.id), 0.25);
+    REQUIRE(farther);
+    CHECK(length(*farther - *place) > 0.5 * r);
+}
