@@ -108,21 +108,20 @@ std::optional<Vec2> settled(const Ground& ground, Vec2 p) {
 
 /// Does a ball that is pushed aside a little come back? Not from a ripple, nor from the top of something round.
 bool holds(const Ground& ground, const Vec2& place) {
-    for (const double side : {-1.0, 1.0}) {
+    const auto comes_back = [&](double side) {
         const Vec2 aside = lifted(ground, place + side * longest_step * ground.radius() * Vec2(1, 0));
         const std::optional<Vec2> back = settled(ground, aside);
-        if (!back || length(*back - place) > 0.5 * ground.radius()) return false;
-    }
-    return true;
+        return back && length(*back - place) <= 0.5 * ground.radius();
+    };
+    return comes_back(-1) && comes_back(1);
 }
 
 /// A grid over the table, and which of its points a ball's centre can reach.
 class Reach {
 public:
-    Reach(const Program& program, const Ground& ground) {
-        step_ = std::max(ground.radius() / 3, std::sqrt(program.size.x() * program.size.y() / most_cells));
-        nx_ = static_cast<int>(program.size.x() / step_) + 1;
-        ny_ = static_cast<int>(program.size.y() / step_) + 1;
+    Reach(const Program& program, const Ground& ground)
+        : step_(std::max(ground.radius() / 3, std::sqrt(program.size.x() * program.size.y() / most_cells))),
+          nx_(static_cast<int>(program.size.x() / step_) + 1), ny_(static_cast<int>(program.size.y() / step_) + 1) {
         cells_.resize(static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_));
         for (int y = 0; y < ny_; ++y)
             for (int x = 0; x < nx_; ++x)

@@ -46,6 +46,7 @@ Start start_at(const Program& program, std::span<const double> q, const Vec2& p,
 
 Start start_at(const Program& program, const Vec2& p, LayerMask layers) {
     std::vector<double> q;
+    q.reserve(program.movers.size());
     for (int m = 0; m < static_cast<int>(program.movers.size()); ++m) q.push_back(mover_at_rest(program, m).q);
     return start_at(program, q, p, layers);
 }

@@ -122,7 +122,7 @@ void read_expectation(ReadContext& context, const Quantities& known, TableTest& 
     if (!value) return reject(fmt::format("{} is no number", number));
     if (const auto idle = known.idle.find(std::string(quantity)); idle != known.idle.end())
         return context.report(Code::unknown_quantity, node.span, fmt::format("{} is always 0", quantity), idle->second);
-    if (!known.measured.count(std::string(quantity)))
+    if (!known.measured.contains(std::string(quantity)))
         return context.report(Code::unknown_quantity, node.span, fmt::format("nothing called {} is measured", quantity),
                               suggestion(quantity, std::vector<std::string_view>(known.named.begin(), known.named.end())));
     test.expectations.push_back(
