@@ -90,6 +90,42 @@ struct Books {
     }
 };
 
+/// How fast each ball was of late, and when it hit each side of what stands still.
+class Intervals {
+public:
+    /// A touch is over after 10 ms, or once the ball has flown 0.8 of its radius off: who hits the same side again any sooner is fast.
+    void take(const World& world) {
+        for (const Ball& ball : world.balls()) note_speed(ball.id, length(ball.velocity));
+        for (const Event& event : world.events()) note_speed(event.ball, event.speed);
+        for (const Event& event : world.events()) {
+            if (event.kind != EventKind::hit || (event.part >= 0 && at(world.program().parts, event.part).mover >= 0)) continue;
+            std::vector<Event>& before = hits_[{event.ball.value, event.node.value}];
+            for (const Event& hit : before) {
+                const double between = event.time - hit.time;
+                if (dot(hit.normal, event.normal) > 0.7 && between < 0.0099 && 1.25 * fastest(event.ball) * between < 0.8 * r) ++too_soon;
+            }
+            std::erase_if(before, [&](const Event& hit) { return event.time - hit.time > 0.01; });
+            before.push_back(event);
+        }
+        ++tick_;
+        for (auto& [ball, speeds] : speeds_) std::erase_if(speeds, [&](const auto& noted) { return noted.first + 12 < tick_; });
+    }
+    int too_soon = 0;
+
+private:
+    void note_speed(BallId ball, double speed) { speeds_[ball.value].emplace_back(tick_, speed); }
+    double fastest(BallId ball) const {
+        double out = 0;
+        for (const auto& [tick, speed] : speeds_.at(ball.value))
+            if (tick + 12 > tick_) out = std::max(out, speed);
+        return out;
+    }
+
+    int tick_ = 0;
+    std::map<std::uint32_t, std::vector<std::pair<int, double>>> speeds_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<Event>> hits_;
+};
+
 /// A touch lasts until there was no impulse for 10 ms, or the ball flew 0.8 of its radius off the surface: so many there can be a second, on
 /// the three surfaces that a ball may meet in turn.
 double most_hits(double speed, double seconds) { return 3 * seconds * (100 + speed / (0.8 * r)); }
@@ -103,17 +139,20 @@ void check_law(std::uint64_t first, std::uint64_t count) {
             if (gap_at(world, place).distance > r) world.add_ball(place, {rng.in(-3, 3), rng.in(-3, 3)});
         }
         Books books;
+        Intervals intervals;
         double fastest = 0;
         for (int t = 0; t < 2000; ++t) {
             if (rng.in(0, 1) < 0.02) world.set_input(static_cast<int>(rng.in(0, 2)), rng.in(0, 1) < 0.5 ? 1 : 0);
             world.step();
             books.take(world);
+            intervals.take(world);
             for (const Ball& ball : world.balls()) fastest = std::max(fastest, length(ball.velocity));
             if (t % 100 == 0) CHECK(books.agrees(world));
         }
         INFO("table " << n);
         CHECK(books.sound);
         CHECK(books.agrees(world));
+        CHECK(intervals.too_soon == 0);
         for (const auto& [ball, told] : books.told) CHECK(static_cast<double>(told) <= most_hits(fastest, 2));
     }
 }
