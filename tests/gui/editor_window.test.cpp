@@ -46,7 +46,7 @@ TEST_CASE("dragging a bumper with the mouse while balls roll, then saving, chang
     const Outcome outcome = run_script(place, R"(
 - {key: {press: Space, ticks: 700}}
 - {wait: {ticks: 400}}
-- {drag: {from: [0.300, 0.800], to: [0.312, 0.810]}}
+- {drag: {from: [0.300, 0.800], to: [0.312, 0.810], with: [LeftControl]}}
 - {expect: {node: pop_top, field: at, value: [312mm, 810mm], tolerance: 0.6mm}}
 - {wait: {ticks: 100}}
 - {action: file.save}
@@ -107,7 +107,7 @@ TEST_CASE("an editor that is killed in the middle of its work offers it at the n
     const Workplace place;
     const std::string before = read(place.table());
     write(place.in("edit.yaml"), R"(
-- {drag: {from: [0.300, 0.800], to: [0.312, 0.810]}}
+- {drag: {from: [0.300, 0.800], to: [0.312, 0.810], with: [LeftControl]}}
 - {wait: {ticks: 16}}
 - {screenshot: edited.png}
 - {wait: {ticks: 10000000}}
