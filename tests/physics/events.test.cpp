@@ -128,16 +128,16 @@ TEST_CASE("a drain and a spawn of another layer leave the ground's balls alone")
 }
 
 TEST_CASE("a ball stays on its layer, known by its name, when an edit numbers the layers anew, and is on the ground when it is gone") {
-    const auto table = [](const std::string& first, const std::string& wall) {
+    const auto layered = [](const std::string& first, const std::string& wall) {
         return program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\nscene:\n" + first + "  - box: {id: up, layer: [" + wall +
                           "], at: [0.5, 0.2], size: [0.2, 0.02]}\n  - spawn: {layer: [" + wall + "], at: [0.5, 0.8], velocity: [0, -1]}\n");
     };
     const std::string attic = "  - circle: {layer: [attic], at: [0.5, 0.5], radius: 50mm}\n";
-    World world(table("", "upstairs"));
+    World world(layered("", "upstairs"));
     world.add_spawned_balls();
     world.step();
     const LayerMask before = world.balls()[0].layer;
-    world.set_program(table(attic, "upstairs"));
+    world.set_program(layered(attic, "upstairs"));
     CHECK(world.balls()[0].layer != before);
     std::vector<Event> hits;
     for (int t = 0; t < 700 && hits.empty(); ++t) {
@@ -147,7 +147,7 @@ TEST_CASE("a ball stays on its layer, known by its name, when an edit numbers th
     }
     REQUIRE(hits.size() == 1);
     CHECK(hits[0].position.y() == Approx(0.21));  // past the attic's disc, at the box upstairs
-    world.set_program(table("", "cellar"));
+    world.set_program(layered("", "cellar"));
     world.set_program(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 0}\nscene: []\n"));
     CHECK(world.balls()[0].layer == ground_layer);
 }
