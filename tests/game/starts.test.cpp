@@ -142,8 +142,9 @@ TEST_CASE("referee and auditor agree about balls that an editor's hand puts anyw
     int escaped = 0, deep = 0;
     for (std::uint64_t n = 0; n < 60; ++n) {
         CounterRng rng(n, 0x57a27);
-        const std::string walls = "  - box: {at: [" + std::to_string(rng.in(0.2, 0.8)) + ", " + std::to_string(rng.in(0.2, 0.8)) + "], size: [0.2, " +
-                                  std::to_string(rng.in(0.002, 0.2)) + "], turn: " + std::to_string(rng.in(0, 90)) + "}\n";
+        const auto drawn = [&](double lo, double hi) { return std::to_string(rng.in(lo, hi)); };
+        const std::string x = drawn(0.2, 0.8), y = drawn(0.2, 0.8), height = drawn(0.002, 0.2), turn = drawn(0, 90);
+        const std::string walls = "  - box: {at: [" + x + ", " + y + "], size: [0.2, " + height + "], turn: " + turn + "}\n";
         World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 6.5}\n" + things + walls));
         for (int k = 0; k < 3; ++k) world.add_ball({rng.in(-0.1, 1.1), rng.in(-0.1, 1.1)}, {rng.in(-1, 1), rng.in(-1, 1)});
         Game game(std::move(world));

@@ -44,16 +44,28 @@ constexpr Integrator both[] = {Integrator::symplectic_euler, Integrator::ballist
 std::string number(double x) { return std::to_string(x); }
 
 /// Walls, bumpers that kick at any touch and others, a narrow chute, beating bats, a plunger that jams what is in its way, a drain.
+/// Each number is drawn in a statement of its own: the order in a sum is the compiler's.
 std::string random_table(CounterRng& rng) {
-    std::string text = "pinfield: 1\ntable: {size: [0.5, 0.6], slope: " + number(rng.in(0, 30)) + "}\ninputs: {a: [Z], b: [Slash]}\n" +
-                       "materials: {default: {restitution: " + number(rng.in(0, 1)) + ", friction: " + number(rng.in(0, 0.5)) + "}}\nscene:\n";
-    const auto place = [&] { return "at: [" + number(rng.in(0.05, 0.45)) + ", " + number(rng.in(0.1, 0.55)) + "]"; };
-    for (int k = 0; k < 3; ++k)
-        text += "  - bumper: {" + place() + ", threshold: " + number(rng.in(0, 1) < 0.3 ? 0 : rng.in(0, 0.1)) + ", kick: " + number(rng.in(0, 2)) + "}\n";
-    for (int k = 0; k < 2; ++k) text += "  - box: {size: [" + number(rng.in(0.02, 0.2)) + ", 10mm], turn: " + number(rng.in(0, 180)) + ", " + place() + "}\n";
-    text += "  - ellipse: {radii: [50mm, 30mm], " + place() + "}\n  - flipper: {input: [a], " + place() + "}\n  - flipper: {input: [b], flip: x, " + place() + "}\n";
-    text += "  - plunger: {input: [b], turn: " + number(rng.in(0, 360)) + ", " + place() + "}\n  - drain: {at: [0.25, 0.01], size: [0.2, 20mm]}\n";
-    return text;
+    const auto drawn = [&](double lo, double hi) { return number(rng.in(lo, hi)); };
+    const auto place = [&] {
+        const std::string x = drawn(0.05, 0.45), y = drawn(0.1, 0.55);
+        return "at: [" + x + ", " + y + "]";
+    };
+    const std::string slope = drawn(0, 30), restitution = drawn(0, 1), friction = drawn(0, 0.5);
+    std::string text = "pinfield: 1\ntable: {size: [0.5, 0.6], slope: " + slope + "}\ninputs: {a: [Z], b: [Slash]}\n" +
+                       "materials: {default: {restitution: " + restitution + ", friction: " + friction + "}}\nscene:\n";
+    for (int k = 0; k < 3; ++k) {
+        const std::string at = place(), threshold = rng.in(0, 1) < 0.3 ? "0" : drawn(0, 0.1), kick = drawn(0, 2);
+        text += "  - bumper: {" + at + ", threshold: " + threshold + ", kick: " + kick + "}\n";
+    }
+    for (int k = 0; k < 2; ++k) {
+        const std::string at = place(), width = drawn(0.02, 0.2), turn = drawn(0, 180);
+        text += "  - box: {size: [" + width + ", 10mm], turn: " + turn + ", " + at + "}\n";
+    }
+    for (const char* const node : {"ellipse: {radii: [50mm, 30mm]", "flipper: {input: [a]", "flipper: {input: [b], flip: x"})
+        text += std::string("  - ") + node + ", " + place() + "}\n";
+    const std::string at = place(), turn = drawn(0, 360);
+    return text + "  - plunger: {input: [b], turn: " + turn + ", " + at + "}\n  - drain: {at: [0.25, 0.01], size: [0.2, 20mm]}\n";
 }
 
 /// A ball, what it touches, and from which side (eighths of a turn): begins and ends of touches.
