@@ -1,9 +1,12 @@
 // Balls that cannot start where they should: told with place and hint, held back, and judged alike by referee and auditor.
 #include "engine/game/starts.h"
 
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <string_view>
 
 #include "engine/core/error_codes.h"
+#include "engine/core/numbers.h"
 #include "engine/core/rng.h"
 #include "engine/game/simulation.h"
 #include "engine/physics/free_place.h"
@@ -74,16 +77,22 @@ TEST_CASE("the hint of an impossible start is a place in whole millimetres from 
         CHECK(found.has_value() == (start_at(*program, at).hindrance != Hindrance::none));
         if (!found) continue;
         ++impossible;
-        double x = 0, y = 0;
-        REQUIRE(std::sscanf(found->hint.c_str(), "the nearest place on the table with room for a ball is [%lf, %lf]", &x, &y) == 2);
+        const std::string_view hint = found->hint, words = "the nearest place on the table with room for a ball is [";
+        REQUIRE(hint.starts_with(words));
+        const std::size_t comma = hint.find(", ", words.size()), end = hint.find(']', words.size());
+        REQUIRE((comma < end && end < hint.size()));
+        const double x = parse_number(hint.substr(words.size(), comma - words.size())).value();
+        const double y = parse_number(hint.substr(comma + 2, end - comma - 2)).value();
         CHECK(start_at(*program, {x, y}).hindrance == Hindrance::none);
         CHECK(std::fabs(1e3 * x - std::round(1e3 * x)) < 1e-6);
         // Nothing much nearer has room: as brute force over a grid of 5 mm finds it.
         double least = infinity;
-        for (double gx = 0.1; gx < 0.9; gx += 0.005)
-            for (double gy = 0.1; gy < 0.9; gy += 0.005)
-                if (start_at(*program, {gx, gy}).hindrance == Hindrance::none)
-                    least = std::min(least, length(Vec2(gx, gy) - Vec2(std::clamp(at.x(), 0.0, 1.0), std::clamp(at.y(), 0.0, 1.0))));
+        for (int i = 20; i < 180; ++i)
+            for (int j = 20; j < 180; ++j) {
+                const Vec2 there{0.005 * i, 0.005 * j};
+                if (start_at(*program, there).hindrance == Hindrance::none)
+                    least = std::min(least, length(there - Vec2(std::clamp(at.x(), 0.0, 1.0), std::clamp(at.y(), 0.0, 1.0))));
+            }
         CHECK(length(Vec2(x, y) - Vec2(std::clamp(at.x(), 0.0, 1.0), std::clamp(at.y(), 0.0, 1.0))) < least + 0.005);
     }
     CHECK(impossible > 100);
@@ -144,8 +153,8 @@ TEST_CASE("referee and auditor agree about balls that an editor's hand puts anyw
         CounterRng rng(n, 0x57a27);
         const auto drawn = [&](double lo, double hi) { return std::to_string(rng.in(lo, hi)); };
         const std::string x = drawn(0.2, 0.8), y = drawn(0.2, 0.8), height = drawn(0.002, 0.2), turn = drawn(0, 90);
-        const std::string walls = "  - box: {at: [" + x + ", " + y + "], size: [0.2, " + height + "], turn: " + turn + "}\n";
-        World world(program_of("pinfield: 1\ntable: {size: [1, 1], slope: 6.5}\n" + things + walls));
+        const std::string walls = fmt::format("  - box: {{at: [{}, {}], size: [0.2, {}], turn: {}}}\n", x, y, height, turn);
+        World world(program_of(fmt::format("pinfield: 1\ntable: {{size: [1, 1], slope: 6.5}}\n{}{}", things, walls)));
         for (int k = 0; k < 3; ++k) world.add_ball({rng.in(-0.1, 1.1), rng.in(-0.1, 1.1)}, {rng.in(-1, 1), rng.in(-1, 1)});
         Game game(std::move(world));
         SimulationOptions how;

@@ -1,4 +1,6 @@
 // One touch, one hit: what impulses come to for players, ears and counters.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <tuple>
@@ -18,7 +20,7 @@ constexpr double r = 0.0135, mass = 0.08;
 /// Events of a run by kind.
 struct Tally {
     std::map<EventKind, std::vector<Event>> of;
-    std::size_t operator[](EventKind kind) const { return of.count(kind) ? of.at(kind).size() : 0; }
+    std::size_t operator[](EventKind kind) const { return of.contains(kind) ? of.at(kind).size() : 0; }
     void take(const World& world) {
         for (const Event& event : world.events()) of[event.kind].push_back(event);
     }
@@ -56,14 +58,14 @@ std::string random_table(CounterRng& rng) {
                        "materials: {default: {restitution: " + restitution + ", friction: " + friction + "}}\nscene:\n";
     for (int k = 0; k < 3; ++k) {
         const std::string at = place(), threshold = rng.in(0, 1) < 0.3 ? "0" : drawn(0, 0.1), kick = drawn(0, 2);
-        text += "  - bumper: {" + at + ", threshold: " + threshold + ", kick: " + kick + "}\n";
+        text += fmt::format("  - bumper: {{{}, threshold: {}, kick: {}}}\n", at, threshold, kick);
     }
     for (int k = 0; k < 2; ++k) {
         const std::string at = place(), width = drawn(0.02, 0.2), turn = drawn(0, 180);
-        text += "  - box: {size: [" + width + ", 10mm], turn: " + turn + ", " + at + "}\n";
+        text += fmt::format("  - box: {{size: [{}, 10mm], turn: {}, {}}}\n", width, turn, at);
     }
     for (const char* const node : {"ellipse: {radii: [50mm, 30mm]", "flipper: {input: [a]", "flipper: {input: [b], flip: x"})
-        text += std::string("  - ") + node + ", " + place() + "}\n";
+        text += fmt::format("  - {}, {}}}\n", node, place());
     const std::string at = place(), turn = drawn(0, 360);
     return text + "  - plunger: {input: [b], turn: " + turn + ", " + at + "}\n  - drain: {at: [0.25, 0.01], size: [0.2, 20mm]}\n";
 }
@@ -154,7 +156,10 @@ void check_law(std::uint64_t first, std::uint64_t count) {
         Intervals intervals;
         double fastest = 0;
         for (int t = 0; t < 2000; ++t) {
-            if (rng.in(0, 1) < 0.02) world.set_input(static_cast<int>(rng.in(0, 2)), rng.in(0, 1) < 0.5 ? 1 : 0);
+            if (rng.in(0, 1) < 0.02) {
+                const int input = rng.in(0, 2) < 1 ? 0 : 1;
+                world.set_input(input, rng.in(0, 1) < 0.5);
+            }
             world.step();
             books.take(world);
             intervals.take(world);
