@@ -46,15 +46,16 @@ private:
         const int last = text_.line_column(place.span.end > place.span.begin ? place.span.end - 1 : place.span.end).line;
         for (int line = text_.line_column(place.span.begin).line; line <= last; ++line) lines_.insert(line);
     }
-    /// With the comments and empty lines around it, which may be the node's.
-    void whole(NodeId id) {
-        const Node& node = *scene_.find(id);
-        if (!node.where) return;
-        lines(node.where);
-        for (int line = text_.line_column(node.where.span.begin).line - 1; line > 0 && is_aside(text_.line(line)); --line)
-            lines_.insert(line);
-        for (int line = *lines_.rbegin() + 1; line <= text_.line_count() && is_aside(text_.line(line)); ++line) lines_.insert(line);
+    /// With the comments and empty lines around it, which may be its own.
+    void whole(const Place& place) {
+        if (!place) return;
+        Touched own(scene_);
+        own.lines(place);
+        for (int line = *own.lines_.begin() - 1; line > 0 && is_aside(text_.line(line)); --line) lines_.insert(line);
+        for (int line = *own.lines_.rbegin() + 1; line <= text_.line_count() && is_aside(text_.line(line)); ++line) lines_.insert(line);
+        lines_.merge(own.lines_);
     }
+    void whole(NodeId id) { whole(scene_.find(id)->where); }
     /// Without what its children say in lines of their own.
     void own(NodeId id) {
         const Node& node = *scene_.find(id);
@@ -151,9 +152,7 @@ private:
     void add(const InsertTest& e) { section("tests:", scene_.tests.empty(), e.index); }
     void add(const RemoveTest& e) {
         section("tests:", scene_.tests.size() == 1, e.index);
-        const int last = *lines_.rbegin();
-        for (int line = *lines_.begin() - 1; line > 0 && is_aside(text_.line(line)); --line) lines_.insert(line);
-        for (int line = last + 1; line <= text_.line_count() && is_aside(text_.line(line)); ++line) lines_.insert(line);
+        whole(at(scene_.tests, e.index).where);
     }
     void add(const RenameTest& e) { lines(at(scene_.tests, e.index).where); }
 
@@ -216,6 +215,14 @@ std::string name_of(const Edit& edit) {
     return names[edit.index()];
 }
 
+/// A comment may go with what it stands beside.
+bool takes_away(const Edit& edit) {
+    const auto* field = std::get_if<SetField>(&edit);
+    const auto* name = std::get_if<RenameTest>(&edit);
+    return std::holds_alternative<Remove>(edit) || std::holds_alternative<Retype>(edit) || std::holds_alternative<RemoveInput>(edit) ||
+           std::holds_alternative<RemoveTest>(edit) || (field && !field->is_explicit) || (name && name->name.empty());
+}
+
 void Work::judge(const Scene& expected) {
     require(document.reading().ok() && same_content(document.scene(), expected) && document.scene().all() == expected.all(),
             "the text says another table than was meant:\n" + document.source().text());
@@ -249,11 +256,8 @@ void Work::one_edit(CounterRng& rng) {
     const int line = lost_line(before.source(), document.source(), may_change);
     require(line == 0, told(fmt::format("changed line {}", line)));
     const auto comments = comments_of(before), later = comments_of(document.reading());
-    const auto* field = std::get_if<SetField>(&*edit);
-    const bool takes_away = std::holds_alternative<Remove>(*edit) || std::holds_alternative<Retype>(*edit) ||
-                            std::holds_alternative<RemoveInput>(*edit) || std::holds_alternative<RemoveTest>(*edit) || (field && !field->is_explicit);
     for (const auto& [comment, lines] : comments)
-        if (!later.contains(comment)) require(takes_away && may_change.contains(*lines.begin()), told("lost " + comment));
+        if (!later.contains(comment)) require(takes_away(*edit) && may_change.contains(*lines.begin()), told("lost " + comment));
     for (const auto& [comment, lines] : later)
         require(lines.size() == 1 && comments.contains(comment), told("made up " + comment));
 }
