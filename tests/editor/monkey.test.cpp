@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <deque>
+#include <ranges>
 
 #include "editor/actions.h"
 #include "editor/keyboard.h"
@@ -136,13 +137,16 @@ private:
         with_modifiers(false, false, false);
     }
     void key(std::string_view name) {
-        for (const bool down : {true, false})
-            editor_.keyboard().take(editor_.state(), {name, down, false}, is_typing(editor_.state(), editor_.ui()), [&] { return cancel_drag(editor_.state(), editor_.ui()); });
+        for (const bool down : {true, false}) turn_key(name, down);
         editor_.frame();
     }
-    void press() {
-        static constexpr std::string_view chords[] = {"Escape", "Enter", "Tab", "Delete", "Up", "Down", "Left", "Right", "F2", "Space", "Z", "Slash", "Q", "W", "E", "R"};
-        const std::string_view name = any_of(chords);
+    void turn_key(std::string_view name, bool down) {
+        editor_.keyboard().take(editor_.state(), {name, down, false}, is_typing(editor_.state(), editor_.ui()), [&] { return cancel_drag(editor_.state(), editor_.ui()); });
+    }
+    void press() { chance(0.5) ? press_plain() : press_chord(); }
+    void press_plain() {
+        static constexpr std::string_view keys[] = {"Escape", "Enter", "Tab", "Delete", "Up", "Down", "Left", "Right", "F2", "Space", "Z", "Slash", "Q", "W", "E", "R"};
+        const std::string_view name = any_of(keys);
         note(fmt::format("press {}", name));
         static constexpr std::pair<std::string_view, ImGuiKey> known[] = {{"Escape", ImGuiKey_Escape}, {"Enter", ImGuiKey_Enter}, {"Tab", ImGuiKey_Tab}, {"Delete", ImGuiKey_Delete},
                                                                           {"Up", ImGuiKey_UpArrow},    {"Down", ImGuiKey_DownArrow}, {"Left", ImGuiKey_LeftArrow}, {"Right", ImGuiKey_RightArrow}};
@@ -150,6 +154,20 @@ private:
             if (word == name) ImGui::GetIO().KeysDown[code] = true;
         key(name);
         for (const auto& [word, code] : known) ImGui::GetIO().KeysDown[code] = false;
+        editor_.frame();
+    }
+    /// The keys of any action that has some, whether or not it can be done just now.
+    void press_chord() {
+        const Action& action = any_of(all_actions());
+        if (action.shortcut.empty() || action.name == "app.quit") return;
+        note(fmt::format("press {}", action.shortcut));
+        std::vector<std::string> keys;
+        for (const auto part : std::views::split(action.shortcut, '+')) {
+            const std::string_view name(part.begin(), part.end());
+            keys.emplace_back(name == "Ctrl" || name == "Shift" || name == "Alt" ? fmt::format("Left{}", name == "Ctrl" ? "Control" : name) : name == "Esc" ? "Escape" : std::string(name));
+        }
+        for (const std::string& name : keys) turn_key(name, true);
+        for (const std::string& name : keys | std::views::reverse) turn_key(name, false);
         editor_.frame();
     }
     void type() {
