@@ -83,6 +83,8 @@ constexpr std::array codes{
     ErrorCode{"W0508", "start_in_drain", "a ball is to start in a drain"},
     ErrorCode{"W0509", "ball_too_large", "a ball is too large for the whole table"},
     ErrorCode{"W0510", "pocket", "a place where slow balls come to rest and nothing plays them"},
+    ErrorCode{"W0511", "empty_solid", "a solid of which nothing is left"},
+    ErrorCode{"W0512", "no_boundary", "a solid whose boundary could not be found, so that its formula must do"},
 
     ErrorCode{"E0601", "unknown_step", "no such step in an editor script"},
 };

@@ -85,6 +85,8 @@ enum class Code : unsigned char {
     start_in_drain,
     ball_too_large,
     pocket,
+    empty_solid,
+    no_boundary,
 
     unknown_step,
 };

@@ -64,6 +64,7 @@ struct FoundBoundary {
     std::vector<OwnedPiece> pieces;
     double error = 0;           ///< metres that its pieces stray at most from the leaves' zero lines: > 0 where some were traced
     double horizon = infinity;  ///< metres from the origin within which all of it is there
+    bool nothing = false;       ///< there is none, and no solid: what is cut from itself, or common to what is apart
 };
 /// The boundary of the solid below an op; no pieces where none is there to be found.
 FoundBoundary boundary_below(const Field& field, int root);

@@ -232,7 +232,7 @@ int Emitter::material_of(NodeId id) const {
     return found != context_.materials.end() ? found->second : 0;
 }
 
-/// The field's only solid, from its last op down.
+/// The field's only solid, from its last op down; nothing is left of a field that has no inside.
 void finish(Field& field, NodeId origin, LayerMask layers, bool visible, bool is_domain) {
     Solid solid;
     solid.is_domain = is_domain;
@@ -242,7 +242,7 @@ void finish(Field& field, NodeId origin, LayerMask layers, bool visible, bool is
     solid.layers = layers;
     solid.visible = visible;
     field.solids.push_back(solid);
-    lower(field, 0);
+    if (!lower(field, 0)) field = {};
 }
 
 bool is_visible(const Scene& scene, NodeId id) {

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "engine/core/at.h"
 #include "engine/core/error_codes.h"
+#include "engine/program/compile_item.h"
 #include "engine/program/field.h"
 #include "engine/program/offset.h"
 #include "engine/scene/parts/spawn.h"
@@ -81,6 +84,40 @@ void add_untouched_layers(const Program& program, const Scene& scene, Diagnostic
     });
 }
 
+/// Has it a shape to be made of: its own, its children's, or the customary one of its part?
+bool has_shape(const Node& node, const Item& item) {
+    return !item.is_part || !node.children.empty() || node.type->part->customary_shape;
+}
+
+void add_empty_solids(const Program& program, const Scene& scene, Diagnostics& out) {
+    std::set<NodeId> solid;
+    for_each_field(program, [&](const Field& field) {
+        for (const Solid& one : field.solids) solid.insert(one.origin);
+    });
+    std::vector<Item> items;
+    for (const NodeId root : scene.roots()) collect_items(scene, root, items);
+    for (const Item& item : items) {
+        const Node& node = *scene.find(item.node);
+        if (solid.contains(item.node) || !has_shape(node, item)) continue;
+        out.push_back(diagnose(Code::empty_solid, node.key, fmt::format("nothing is left of this {}: no ball ever meets it", node.type->key()),
+                               "its children cut each other away, or lie apart"));
+    }
+}
+
+void add_missing_boundaries(const Field& field, const Scene& scene, Diagnostics& out) {
+    for (const Solid& solid : field.solids) {
+        const Exactness& formula = op_at(field, solid.root).exactness;
+        const Node* node = scene.find(solid.origin);
+        const bool is_exact = formula.outside == Side::exact && formula.inside == Side::exact;
+        if (solid.lowered || is_exact || !solid.bounds.is_finite() || !node) continue;
+        out.push_back(diagnose(Code::no_boundary, node->key,
+                               fmt::format("the boundary of this {} could not be found: balls meet it by its formula, which takes longer, and "
+                                           "its distances are bounds",
+                                           node->type->key()),
+                               "its outline is too fine or too rough for lines and arcs, or it lies on its own edge: larger waves, or fewer parts, help"));
+    }
+}
+
 }  // namespace
 
 std::map<NodeId, DistanceQuality> distance_qualities_of(const Program& program) {
@@ -104,6 +141,8 @@ std::optional<DistanceQuality> distance_quality_of(const Program& program, NodeI
 Diagnostics warnings_of(const Program& program, const Scene& scene) {
     Diagnostics out;
     for_each_field(program, [&](const Field& field) { add_warnings(field, scene, out); });
+    for_each_field(program, [&](const Field& field) { add_missing_boundaries(field, scene, out); });
+    add_empty_solids(program, scene, out);
     add_untouched_layers(program, scene, out);
     return out;
 }

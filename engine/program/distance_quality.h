@@ -25,7 +25,8 @@ std::map<NodeId, DistanceQuality> distance_qualities_of(const Program& program);
 std::optional<DistanceQuality> distance_quality_of(const Program& program, NodeId node);
 
 /// What is doubtful about a program that runs, placed in the text of the scene it was compiled from: offsets (round, inset, onion) of a
-/// side that is only a bound and whose boundary could not be found, and solids on layers that no ball is on.
+/// side that is only a bound and whose boundary could not be found, solids on layers that no ball is on, solids of which nothing is left, and
+/// solids that have an end and no boundary that was found: balls meet those by their formula.
 Diagnostics warnings_of(const Program& program, const Scene& scene);
 
 }  // namespace pinfield

@@ -239,6 +239,7 @@ bool Membership::solid(const std::vector<char>& in_leaf) const {
 }
 
 FoundBoundary boundary_below(const Field& field, int root) {
+    if (at(field.ops, root).bounds.is_empty()) return {{}, 0, infinity, true};
     const FoundLeaves found = leaf_images(field, root);
     if (found.leaves.empty()) {
         TracedBoundary traced = traced_boundary(field, root);
@@ -250,22 +251,26 @@ FoundBoundary boundary_below(const Field& field, int root) {
     const bool ends = at(field.ops, root).bounds.is_finite();
     std::vector<OwnedPiece> pieces = boundary_of(field, root, found);
     if (error > 0 && !is_closed(pieces, 100 * error)) return {};
-    return {std::move(pieces), error, ends ? infinity : found.horizon};
+    // Without a boundary all of the plane is as it is far from everything.
+    const bool nothing = pieces.empty() && ends && error == 0;
+    return {std::move(pieces), error, ends ? infinity : found.horizon, nothing};
 }
 
-void lower(Field& field, int index) {
+bool lower(Field& field, int index) {
     Solid& solid = at(field.solids, index);
     solid.first_piece = static_cast<int>(field.pieces.size());
     const FoundBoundary boundary = boundary_below(field, solid.root);
-    if (boundary.pieces.empty()) return;  // nothing, or everything: only the tree can tell which
+    if (boundary.nothing) return false;
+    if (boundary.pieces.empty()) return true;  // nothing, or everything: only the tree can tell which
     const Exactness& formula = at(field.ops, solid.root).exactness;
-    if (boundary.horizon < infinity && formula.outside == Side::exact && formula.inside == Side::exact) return;  // it knows no horizon
+    if (boundary.horizon < infinity && formula.outside == Side::exact && formula.inside == Side::exact) return true;  // it knows no horizon
     for (const OwnedPiece& piece : boundary.pieces)
         field.pieces.push_back({piece.piece, index, piece.origin, solid.layers});
     solid.piece_count = static_cast<int>(boundary.pieces.size());
     solid.lowered = true;
     solid.fit_error = boundary.error;
     solid.horizon = boundary.horizon;
+    return true;
 }
 
 }  // namespace pinfield

@@ -13,9 +13,9 @@ struct TracedBoundary {
     std::vector<OwnedPiece> pieces;
     double error = 0;  ///< metres that they stray at most from the zero line
 };
-/// The boundary of the solid below an op, in the field's frame, each piece with the shape whose surface it is. Nothing where there is
-/// none, where it has no end, or where it cannot be fitted. Parts of the solid, and of what is around it, that are thinner than 1/500
-/// of its size may be missed.
+/// The boundary of the solid below an op, in the field's frame, each piece with the shape whose surface it is. Nothing where there is none,
+/// where it has no end or is far larger than any table, where it cannot be fitted, and where too much of it may hide something too small to
+/// be seen. What is at least 1/8000 of its size thick is not missed, of the solid and of what is around it.
 TracedBoundary traced_boundary(const Field& field, int op);
 
 }  // namespace pinfield

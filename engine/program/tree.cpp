@@ -53,6 +53,21 @@ double images_value(const Field& field, const Op& op, const Vec2& p) {
     return value;
 }
 
+/// Is a found outline wrong about the side that p is on? It is where a needle of the solid is thinner than what its boundary strays, and the
+/// needle's two sides have changed places: the tree's formula knows. On a seam of zeros, where that knows nothing, the outline does.
+bool is_other_side(const Field& field, const Op& outline, const Vec2& p, double distance) {
+    constexpr double hair = 1e-12;
+    const double formula = tree_value(field, child_of(field, outline, 0), p);
+    return std::fabs(formula) > hair && (formula < 0) != (distance < 0);
+}
+
+double shape_value(const Field& field, int index, const Vec2& p) {
+    const Op& op = op_at(field, index);
+    const Vec2 local = op.local_from_field * p;
+    const double distance = op.kernels->distance(params_of(field, op), local.x(), local.y()) * op.scale;
+    return is_found_outline(op) && is_other_side(field, op, p, distance) ? -distance : distance;
+}
+
 /// A value with the leaf that moves it most.
 struct LeafSample {
     Sample sample;
@@ -66,8 +81,9 @@ LeafSample sample_shape(const Field& field, int index, const Vec2& p) {
     const Op& op = op_at(field, index);
     const Vec2 local = op.local_from_field * p;
     const Sample s = op.kernels->sample(params_of(field, op), local.x(), local.y());
-    const Sample found{s.value * op.scale, direction_before(op.local_from_field, s.gradient)};
+    Sample found{s.value * op.scale, direction_before(op.local_from_field, s.gradient)};
     if (!is_found_outline(op)) return {found, index};
+    if (is_other_side(field, op, p, found.value)) found = {-found.value, -found.gradient};
     // The surface at the foot is a leaf's of the tree that the boundary stands for.
     LeafSample at_foot = sample_op(field, child_of(field, op, 0), p - found.value * found.gradient);
     at_foot.sample = found;
@@ -150,10 +166,7 @@ LeafSample sample_op(const Field& field, int index, const Vec2& p) {
 double tree_value(const Field& field, int index, const Vec2& p) {
     const Op& op = op_at(field, index);
     switch (op.kernels->form) {
-        case Form::shape: {
-            const Vec2 local = op.local_from_field * p;
-            return op.kernels->distance(params_of(field, op), local.x(), local.y()) * op.scale;
-        }
+        case Form::shape: return shape_value(field, index, p);
         case Form::fold: return fold_value(field, op, p);
         case Form::modify:
             return op.kernels->modify(params_of(field, op), tree_value(field, child_of(field, op, 0), p) / op.scale) *

@@ -3,32 +3,73 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <set>
+#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
+#include "engine/program/gradient_fan.h"
 #include "engine/program/tree.h"
 
 namespace pinfield {
 namespace {
 
 constexpr double zero = 1e-11;    // in sizes of the solid: far below what tracing promises, far above rounding
-constexpr int probing_depth = 2;  // halvings of a cell that seems empty and may not be: tracing promises to see a quarter of one
 constexpr double flattest = 1e-6;  // slope of a field that still has a direction: bounds are flatter than distances by factors, not millions
 constexpr double half_diagonal = 0.7072;  // of a square, rounded up
+/// Across the window: the largest cells that are linked, and as small as they get where something may hide: so small a share of the window,
+/// and no more than what matters to a ball, metres. (However far one point of a path lies, balls meet what is near.)
+constexpr int coarsest = 128, least_finest = 8192, most_finest = 1 << 26;
+constexpr double matters = 1e-4;
+/// Tables take a few thousand; shapes that abut under a blend, along whose seam nothing is certain, up to 50 000. Beyond, a solid stays a tree.
+constexpr int most_cells = 150000;
 
-/// Walks the cells that the line crosses (Lorensen and Cline, "Marching cubes", 1987, in the plane) and links their edges.
+/// A node of the finest lattice; its row comes first in order.
+struct LatticeNode {
+    int i = 0, j = 0;
+    auto operator<=>(const LatticeNode& b) const { return j != b.j ? j <=> b.j : i <=> b.i; }
+    bool operator==(const LatticeNode&) const = default;
+};
+
+/// From its left or lower end to the other, with no node between.
+struct LatticeEdge {
+    LatticeNode from, to;
+    auto operator<=>(const LatticeEdge&) const = default;
+};
+
+struct Cell {
+    int i = 0, j = 0, size = 1;
+};
+
+/// Walks the cells that the line crosses (Lorensen and Cline, "Marching cubes", 1987, in the plane) and links their edges. Cells are as small
+/// as it takes to be sure that the line runs through each at most once (a quadtree, as Keeter, "Massively parallel rendering of complex
+/// closed-form implicit surfaces", 2020, prunes one); one that has smaller neighbours has their nodes on its sides, too.
 class Lattice {
 public:
-    Lattice(const Field& field, int op, const Box2& window, int cells)
-        : field_(field), op_(op), origin_(window.lo), step_(window.size().maxCoeff() / cells), cells_(cells),
-          lipschitz_(at(field.ops, op).exactness.lipschitz),
-          values_(static_cast<std::size_t>(cells + 1) * static_cast<std::size_t>(cells + 1), std::numeric_limits<double>::quiet_NaN()) {}
+    Lattice(const Field& field, int op, const Box2& window)
+        : field_(field), op_(op), fans_(field), origin_(window.lo), size_(window.size().maxCoeff()),
+          lipschitz_(at(field.ops, op).exactness.lipschitz) {
+        while (finest_ < most_finest && size_ / finest_ > matters) finest_ *= 2;
+        step_ = size_ / finest_;
+    }
 
-    bool link_cells(bool settle) {
-        settle_ = settle;
-        return visit(0, 0, cells_);
+    /// False when there is too much that may hide something.
+    bool link_cells() {
+        if (!visit({0, 0, finest_})) return false;
+        for (bool again = true; again;) {
+            again = false;
+            for (const Cell& cell : std::exchange(cells_, {})) {
+                if (cell.size == 1 || leaving(ring_of(cell)) < 2) {
+                    cells_.push_back(cell);
+                    continue;
+                }
+                again = true;
+                if (!split(cell)) return false;
+            }
+        }
+        for (const Cell& cell : cells_) link(cell);
+        return true;
     }
 
     std::optional<std::vector<std::vector<ZeroPoint>>> loops() {
@@ -52,71 +93,104 @@ public:
     }
 
 private:
-    /// From node (i, j) to its right neighbour, or upward.
-    struct LatticeEdge {
-        int i = 0, j = 0;
-        bool upward = false;
-        bool operator==(const LatticeEdge&) const = default;
-        bool operator<(const LatticeEdge& b) const { return j != b.j ? j < b.j : i != b.i ? i < b.i : upward < b.upward; }
-    };
-
     Vec2 place(double i, double j) const { return origin_ + step_ * Vec2(i, j); }
+    Vec2 place(const LatticeNode& node) const { return place(node.i, node.j); }
+    Vec2 middle_of(const Cell& cell) const { return place(cell.i + 0.5 * cell.size, cell.j + 0.5 * cell.size); }
 
-    double value(int i, int j) {
-        double& known = values_[static_cast<std::size_t>(j) * static_cast<std::size_t>(cells_ + 1) + static_cast<std::size_t>(i)];
-        if (std::isnan(known)) known = tree_value(field_, op_, place(i, j));
-        return known;
+    double value(const LatticeNode& node) {
+        const auto [known, is_new] = values_.try_emplace(node, 0.0);
+        if (is_new) known->second = tree_value(field_, op_, place(node));
+        return known->second;
     }
+    bool is_solid(const LatticeNode& node) { return value(node) < 0; }
 
-    bool is_far(double value, double size) const { return std::fabs(value) > half_diagonal * lipschitz_ * size; }
-
-    /// False when the lattice is too coarse.
-    bool visit(int i, int j, int size) {
-        if (size == 1) return link(i, j);
-        const int half = size / 2;
-        if (is_far(value(i + half, j + half), size * step_)) return true;
-        return visit(i, j, half) && visit(i + half, j, half) && visit(i, j + half, half) && visit(i + half, j + half, half);
-    }
-
-    bool hides_something(double i, double j, double size, bool solid, int depth) const {
-        const double middle = tree_value(field_, op_, place(i + 0.5 * size, j + 0.5 * size));
-        if ((middle < 0) != solid) return true;
-        if (depth == 0 || is_far(middle, size * step_)) return false;
-        const double half = 0.5 * size;
-        return hides_something(i, j, half, solid, depth - 1) || hides_something(i + half, j, half, solid, depth - 1) ||
-               hides_something(i, j + half, half, solid, depth - 1) || hides_something(i + half, j + half, half, solid, depth - 1);
-    }
-
-    bool link(int i, int j) {
-        const std::array<bool, 4> solid{value(i, j) < 0, value(i + 1, j) < 0, value(i + 1, j + 1) < 0, value(i, j + 1) < 0};
-        const std::array<LatticeEdge, 4> edges{LatticeEdge{i, j, false}, LatticeEdge{i + 1, j, true}, LatticeEdge{i, j + 1, false},
-                                               LatticeEdge{i, j, true}};
-        int leaving = 0, last = 0;  // edges on which the solid ends, walking round the cell counter-clockwise
-        for (int k = 0; k < 4; ++k)
-            if (solid[corner(k)] && !solid[corner(k + 1)]) ++leaving, last = k;
-        if (leaving == 0) return settle_ || !hides_something(i, j, 1, solid[0], probing_depth);
-        if (leaving == 2) {
-            if (!settle_) return false;
-            // A saddle: the middle goes with one pair of opposite corners, and the line cuts off each of the other two.
-            const int way = tree_value(field_, op_, place(i + 0.5, j + 0.5)) < 0 ? 1 : 3;
-            for (const int k : {last, last + 2}) next_[edges[corner(k)]] = edges[corner(k + way)];
-            return true;
-        }
-        for (int k = 0; k < 4; ++k)
-            if (!solid[corner(k)] && solid[corner(k + 1)]) next_[edges[corner(last)]] = edges[corner(k)];
+    /// Down to cells that the line cannot reach, or runs through once.
+    bool visit(const Cell& cell) {
+        const double radius = half_diagonal * cell.size * step_;
+        if (std::fabs(tree_value(field_, op_, middle_of(cell))) > lipschitz_ * radius) return true;
+        if (cell.size > finest_ / coarsest) return visit_quarters(cell);
+        if (++visited_ > most_cells) return false;
+        if (cell.size > 1 && may_hide(cell, radius)) return split(cell);
+        cells_.push_back(cell);
         return true;
+    }
+    /// A shape alone hides nothing beside a line that is seen: shapes are not that thin.
+    bool may_hide(const Cell& cell, double radius) {
+        const bool is_shape = at(field_.ops, op_).kernels->form == sdf::Form::shape;
+        if (is_shape && leaving(ring_of(cell)) == 1) return false;
+        return fans_.fan(op_, middle_of(cell), radius).is_wide();
+    }
+    bool visit_quarters(const Cell& cell) {
+        const int half = cell.size / 2;
+        for (const auto& [i, j] : {std::pair(0, 0), std::pair(half, 0), std::pair(0, half), std::pair(half, half)})
+            if (!visit({cell.i + i, cell.j + j, half})) return false;
+        return true;
+    }
+    /// Its neighbours get nodes on their sides.
+    bool split(const Cell& cell) {
+        const int half = cell.size / 2;
+        for (const int i : {0, half, cell.size})
+            for (const int j : {0, half, cell.size}) nodes_.insert({cell.i + i, cell.j + j});
+        return visit_quarters(cell);
+    }
+
+    /// All nodes on a cell's sides, counter-clockwise.
+    std::vector<LatticeNode> ring_of(const Cell& cell) const {
+        const int far_i = cell.i + cell.size, far_j = cell.j + cell.size;
+        const std::array<LatticeNode, 5> corners{LatticeNode{cell.i, cell.j}, {far_i, cell.j}, {far_i, far_j}, {cell.i, far_j}, {cell.i, cell.j}};
+        std::vector<LatticeNode> ring;
+        for (std::size_t k = 0; k < 4; ++k) add_side(corners[k], corners[k + 1], ring);
+        return ring;
+    }
+    /// Without its end.
+    void add_side(const LatticeNode& from, const LatticeNode& to, std::vector<LatticeNode>& ring) const {
+        const LatticeNode middle{(from.i + to.i) / 2, (from.j + to.j) / 2};
+        const bool has_middle = std::abs(to.i - from.i) + std::abs(to.j - from.j) > 1 && nodes_.contains(middle);
+        if (!has_middle) return ring.push_back(from);
+        add_side(from, middle, ring);
+        add_side(middle, to, ring);
+    }
+
+    /// How often the solid ends, walking round.
+    int leaving(const std::vector<LatticeNode>& ring) {
+        int out = 0;
+        for (std::size_t k = 0; k < ring.size(); ++k) out += is_solid(ring[k]) && !is_solid(ring[(k + 1) % ring.size()]);
+        return out;
+    }
+
+    void link(const Cell& cell) {
+        const std::vector<LatticeNode> ring = ring_of(cell);
+        const std::size_t n = ring.size();
+        std::vector<std::size_t> ends, begins;  // edges on which the solid ends and begins, in turns
+        for (std::size_t k = 0; k < n; ++k) {
+            const bool here = is_solid(ring[k]), there = is_solid(ring[(k + 1) % n]);
+            if (here && !there) ends.push_back(k);
+            if (!here && there) begins.push_back(k);
+        }
+        if (ends.empty()) return;
+        const auto edge = [&](std::size_t k) {
+            const LatticeNode &a = ring[k], &b = ring[(k + 1) % n];
+            return a < b ? LatticeEdge{a, b} : LatticeEdge{b, a};
+        };
+        // The line comes in where the solid ends. A saddle: where the middle is solid it cuts off what is not, and the other way round.
+        const bool begins_first = begins[0] < ends[0];
+        const bool cuts_off_gaps = ends.size() > 1 && tree_value(field_, op_, middle_of(cell)) < 0;
+        for (std::size_t k = 0; k < ends.size(); ++k) {
+            const std::size_t behind = begins_first ? k + 1 : k, before = begins_first ? k : k + ends.size() - 1;
+            next_[edge(ends[k])] = edge(begins[(cuts_off_gaps ? behind : before) % ends.size()]);
+        }
     }
 
     /// Between the two nodes of an edge, which lie on either side: false position in its Illinois form. Where the field bends so sharply
     /// that it creeps, every eighth step halves instead; what 60 steps leave is the best that is known.
     std::optional<ZeroPoint> crossing(const LatticeEdge& edge) {
-        Vec2 a = place(edge.i, edge.j), b = edge.upward ? place(edge.i, edge.j + 1) : place(edge.i + 1, edge.j), p = a;
-        double at_a = value(edge.i, edge.j), at_b = edge.upward ? value(edge.i, edge.j + 1) : value(edge.i + 1, edge.j);
+        Vec2 a = place(edge.from), b = place(edge.to), p = a;
+        double at_a = value(edge.from), at_b = value(edge.to);
         int kept = 0;  // how often in a row b stayed where it is, or a: < 0
         for (int k = 0; k < 60; ++k) {
             p = k % 8 == 7 ? Vec2(0.5 * (a + b)) : Vec2(a + (at_a / (at_a - at_b)) * (b - a));
             const double here = tree_value(field_, op_, p);
-            if (std::fabs(here) <= zero * cells_ * step_) break;
+            if (std::fabs(here) <= zero * size_) break;
             if ((here < 0) == (at_b < 0)) {
                 b = p, at_b = here;
                 kept = std::min(kept, 0) - 1;
@@ -130,17 +204,19 @@ private:
         return zero_point_at(field_, op_, p);
     }
 
-    static std::size_t corner(int k) { return static_cast<std::size_t>(k % 4); }
-
     const Field& field_;
     int op_;
+    FanFinder fans_;
     Vec2 origin_;
-    double step_;
-    int cells_;
+    double size_;  ///< metres
+    int finest_ = least_finest;
+    double step_ = 0;  ///< metres between nodes
     double lipschitz_;
-    std::vector<double> values_;
-    std::map<LatticeEdge, LatticeEdge> next_;
-    bool settle_ = false;
+    std::map<LatticeNode, double> values_;
+    std::set<LatticeNode> nodes_;  ///< that split cells have, beside the corners of the coarsest
+    std::vector<Cell> cells_;      ///< that the line may run through, none split
+    std::map<LatticeEdge, LatticeEdge> next_;  ///< along the line
+    int visited_ = 0;
 };
 
 }  // namespace
@@ -190,9 +266,9 @@ std::optional<ZeroCorner> zero_corner_near(const Field& field, int op, const Vec
     return out;
 }
 
-std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window, int cells, bool settle) {
-    Lattice lattice(field, op, window, cells);
-    if (!lattice.link_cells(settle)) return std::nullopt;
+std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window) {
+    Lattice lattice(field, op, window);
+    if (!lattice.link_cells()) return std::nullopt;
     return lattice.loops();
 }
 

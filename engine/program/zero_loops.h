@@ -29,9 +29,9 @@ struct ZeroCorner {
 /// The corner of the zero line within about `reach` of p; nothing where the line is smooth.
 std::optional<ZeroCorner> zero_corner_near(const Field& field, int op, const Vec2& p, double reach, double size);
 
-/// All loops in a square lattice of `cells` x `cells` (a power of two) over `window`, neighbouring points at most a cell apart, the solid
-/// on the left. The field's Lipschitz constant says which parts of the lattice need no visit. Nothing when the lattice is too coarse to
-/// show how the line runs, unless `settle` asks for the likeliest course; and nothing when the line leaves the window.
-std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window, int cells, bool settle);
+/// All loops within `window`, a square: neighbouring points are at most a 128th of its side apart, the solid on the left. What is at least an
+/// 8192nd of the side wide, the solid's or what is around it, is seen, and a tenth of a millimetre whatever the side. Nothing when too much
+/// of the window may hide something smaller, and nothing when the line leaves it.
+std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window);
 
 }  // namespace pinfield

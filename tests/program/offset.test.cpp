@@ -45,6 +45,7 @@ void check_offset(std::uint64_t seed, bool snapped, const Offset& offset, Tally&
     };
     const ProgramPtr with = scene_of(true), without = scene_of(false);
     const Field &field = with->fixed, &bare = without->fixed;
+    if (bare.solids[0].is_domain || field.solids[0].is_domain) return;  // nothing is left
     if (!bare.solids[0].lowered || bare.solids[0].piece_count > 150 || !field.solids[0].lowered) return;
     ++tally.trees;
     INFO(offset.key << ", seed " << seed << (snapped ? " snapped" : ""));

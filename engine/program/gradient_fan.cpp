@@ -1,0 +1,219 @@
+#include "engine/program/gradient_fan.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "engine/core/at.h"
+#include "engine/program/evaluate.h"
+#include "engine/program/field.h"
+#include "engine/sdf/piece.h"
+
+namespace pinfield {
+namespace {
+
+using sdf::Form;
+using sdf::Piece;
+
+/// The direction that `m` maps to d.
+Vec2 direction_before(const Similarity& m, const Vec2& d) { return m.inverse().direction(d); }
+
+int child_of(const Field& field, const Op& op, int i) { return at(field.links, op.first_link + i); }
+
+/// Directions of a fan times a length, mapped.
+template <class Map>
+void include_mapped(Fan& out, const Fan& fan, const Map& map) {
+    if (fan.is_wide()) out.include(fan);
+    if (fan.is_empty() || fan.is_wide()) return;
+    out.include(map(fan.first()));
+    out.include(map(fan.last()));
+}
+
+/// How much longer a linear map with these columns makes a vector at most: its greater singular value.
+double greatest_stretch(const Vec2& x, const Vec2& y) {
+    const double a = dot(x, x), b = dot(x, y), c = dot(y, y), apart = a - c;
+    return std::sqrt(0.5 * (a + c + std::sqrt(apart * apart + 4 * b * b)));
+}
+
+/// Ways out of the solid that a piece may have seen from within the disc.
+void include_normals(Fan& out, const Piece& piece, const Vec2& p, double radius) {
+    if (!piece.is_arc()) return out.include(-perpendicular(Vec2(piece.b - piece.a)));
+    const Vec2 from_centre = p - piece.centre;
+    const double away = length(from_centre);
+    if (away <= radius) {
+        for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1)}) out.include(way);
+        return;
+    }
+    const double sine = radius / away, cosine = std::sqrt(1 - sine * sine);
+    const Vec2 middle = (piece.turn / away) * from_centre, aside = perpendicular(middle);
+    for (const double side : {-sine, sine}) {
+        const Vec2 way = cosine * middle + side * aside;
+        if (in_sweep(piece, piece.turn * way)) out.include(way);
+    }
+    // Where its sweep ends before the disc does, the ends are as far as it goes; beyond it, the nearer end is what is seen.
+    const bool beyond = !in_sweep(piece, from_centre);
+    const Vec2& nearer = length(p - piece.a) < length(p - piece.b) ? piece.a : piece.b;
+    for (const Vec2& end : {piece.a, piece.b}) {
+        const Vec2 way = piece.turn * (end - piece.centre);
+        if (dot(way, middle) > cosine * length(way) || (beyond && end == nearer)) out.include(way);
+    }
+}
+
+}  // namespace
+
+void Fan::check() {
+    constexpr double nearly_opposite = -0.94;  // the cosine of 160 degrees
+    if (cross(first_, last_) < 0 || dot(first_, last_) < nearly_opposite) state_ = State::wide;
+}
+
+void Fan::include(const Vec2& direction) {
+    const double size = length(direction);
+    if (!(size > 0) || state_ == State::wide) return;
+    const Vec2 unit = direction / size;
+    if (state_ == State::empty) {
+        first_ = last_ = unit;
+        state_ = State::narrow;
+        return;
+    }
+    const bool before = cross(first_, unit) < 0, behind = cross(unit, last_) < 0;
+    if (before) first_ = unit;
+    if (behind) last_ = unit;
+    if (before && behind) state_ = State::wide;
+    // One that is opposite of a fan of one direction lies on neither side of it.
+    if (dot(first_, unit) < 0 && dot(last_, unit) < 0) state_ = State::wide;
+    check();
+}
+
+void Fan::include(const Fan& other) {
+    if (other.is_empty()) return;
+    if (other.is_wide()) {
+        state_ = State::wide;
+        return;
+    }
+    include(other.first_);
+    include(other.last_);
+}
+
+const sdf::Outline& FanFinder::outline_of(int index) {
+    const auto [found, is_new] = outlines_.try_emplace(index);
+    const Op& op = at(field_.ops, index);
+    if (is_new && op.kernels->outline) op.kernels->outline(field_.params.data() + op.params, found->second);
+    return found->second;
+}
+
+/// Of an outline, all pieces may matter that can be the nearest somewhere in the disc. What has none is asked in the middle and round about.
+FanFinder::Near FanFinder::near_shape(int index, const Vec2& p, double radius) {
+    const Op& op = at(field_.ops, index);
+    const sdf::Sample middle = evaluate_tree(field_, index, p);
+    Near out{middle.value, op.exactness.lipschitz * radius, middle.gradient, {}};
+    out.fan.include(middle.gradient);
+    if (op.kernels->endless) return out;
+    const sdf::Outline& outline = outline_of(index);
+    if (outline.empty()) {
+        constexpr double diagonal = 0.70710678118654752;
+        for (const Vec2& way : {Vec2(diagonal, diagonal), Vec2(diagonal, -diagonal)})
+            for (const double aside : {radius, -radius}) out.fan.include(evaluate_tree(field_, index, p + aside * way).gradient);
+        return out;
+    }
+    Fan local;
+    const Vec2 there = op.local_from_field * p;
+    const double reach = radius / op.scale, limit = std::fabs(middle.value) / op.scale + 2 * reach;
+    for (const Piece& piece : outline)
+        if (!local.is_wide() && squared_distance_to_piece(piece, there) <= limit * limit) include_normals(local, piece, there, reach);
+    include_mapped(out.fan, local, [&](const Vec2& way) { return direction_before(op.local_from_field, way); });
+    return out;
+}
+
+/// A child matters where it moves the result for any values that the disc has.
+FanFinder::Near FanFinder::near_fold(const Op& op, const Vec2& p, double radius) {
+    constexpr double least_share = 1e-3;  // of a smooth fold: what moves it by less turns no field round
+    const double* params = field_.params.data() + op.params;
+    Near out = near(child_of(field_, op, 0), p, radius);
+    for (int i = 1; i < op.child_count; ++i) {
+        const Near next = near(child_of(field_, op, i), p, radius);
+        Fan fan;
+        for (const double a : {0.0, -out.change, out.change})
+            for (const double b : {0.0, -next.change, next.change}) {
+                const sdf::Partials f = op.kernels->combine_partials(params, (out.value + a) / op.scale, (next.value + b) / op.scale);
+                if (std::fabs(f.by_a) > least_share) include_mapped(fan, out.fan, [&](const Vec2& way) { return Vec2(f.by_a * way); });
+                if (std::fabs(f.by_b) > least_share) include_mapped(fan, next.fan, [&](const Vec2& way) { return Vec2(f.by_b * way); });
+            }
+        const sdf::Partials f = op.kernels->combine_partials(params, out.value / op.scale, next.value / op.scale);
+        out = {f.value * op.scale, std::max(out.change, next.change), f.by_a * out.gradient + f.by_b * next.gradient, fan};
+    }
+    return out;
+}
+
+FanFinder::Near FanFinder::near_modify(const Op& op, const Vec2& p, double radius) {
+    const double* params = field_.params.data() + op.params;
+    const Near child = near(child_of(field_, op, 0), p, radius);
+    const sdf::Affine affine = op.kernels->affine(params);
+    const bool rises = affine.absolute ? child.value > -child.change : affine.sign > 0;
+    const bool falls = affine.absolute ? child.value < child.change : affine.sign < 0;
+    const bool flips = affine.absolute ? child.value < 0 : affine.sign < 0;
+    Near out{op.kernels->modify(params, child.value / op.scale) * op.scale, child.change, flips ? Vec2(-child.gradient) : child.gradient, {}};
+    if (rises) out.fan.include(child.fan);
+    if (falls) include_mapped(out.fan, child.fan, [](const Vec2& way) { return Vec2(-way); });
+    return out;
+}
+
+FanFinder::Near FanFinder::near_images(const Op& op, const Vec2& p, double radius) {
+    const int child = child_of(field_, op, 0);
+    const Op& below = at(field_.ops, child);
+    std::vector<std::pair<int, Near>> seen;
+    double least = infinity;
+    for (int i = 0; i < op.image_count; ++i) {
+        const Vec2 there = at(field_.images, op.first_image + i).inverse() * p;
+        // An exact distance outside is at least that to its box.
+        if (below.exactness.outside == Side::exact && below.bounds.distance(there) > std::max(least, 0.0) + 2 * radius) continue;
+        seen.emplace_back(i, near(child, there, radius));
+        least = std::min(least, seen.back().second.value);
+    }
+    Near out;
+    out.value = infinity;
+    for (const auto& [i, image] : seen) {
+        if (image.value - image.change > least + image.change) continue;
+        const Similarity& to = at(field_.images, op.first_image + i);
+        include_mapped(out.fan, image.fan, [&](const Vec2& way) { return to.direction(way); });
+        out.change = std::max(out.change, image.change);
+        if (image.value < out.value) out.value = image.value, out.gradient = to.direction(image.gradient);
+    }
+    return out;
+}
+
+/// A child's gradient of the length it has in the middle, and the waves as they are there and at four places round about.
+FanFinder::Near FanFinder::near_warp(const Op& op, const Vec2& p, double radius) {
+    constexpr double uneven = 1.2;  // a warp may stretch more at the disc's rim than in its middle
+    const double* params = field_.params.data() + op.params;
+    const double factor = op.kernels->factor(params), reach = radius / op.scale;
+    const Similarity field_from_local = op.local_from_field.inverse();
+    const Vec2 local = op.local_from_field * p;
+    const sdf::Warped warped = op.kernels->warped(params, local);
+    const double stretch = uneven * greatest_stretch(warped.from_x, warped.from_y);
+    const Near child = near(child_of(field_, op, 0), field_from_local * warped.point, stretch * radius);
+    const auto seen = [&](const sdf::Warped& here, const Vec2& way) {
+        return direction_before(op.local_from_field, here.gradient(factor, direction_before(field_from_local, way)));
+    };
+    Near out{factor * child.value + warped.lift * op.scale, op.exactness.lipschitz * radius, seen(warped, child.gradient), {}};
+    const double steepness = length(child.gradient);
+    for (const Vec2& aside : {Vec2(0, 0), Vec2(reach, 0), Vec2(-reach, 0), Vec2(0, reach), Vec2(0, -reach)}) {
+        const sdf::Warped here = op.kernels->warped(params, local + aside);
+        include_mapped(out.fan, child.fan, [&](const Vec2& way) { return seen(here, steepness * way); });
+    }
+    return out;
+}
+
+FanFinder::Near FanFinder::near(int index, const Vec2& p, double radius) {
+    const Op& op = at(field_.ops, index);
+    switch (op.kernels->form) {
+        case Form::shape: return near_shape(index, p, radius);
+        case Form::fold: return near_fold(op, p, radius);
+        case Form::modify: return near_modify(op, p, radius);
+        case Form::images: return near_images(op, p, radius);
+        case Form::warp: return near_warp(op, p, radius);
+    }
+    assert(false && "an op has one of the five forms");
+    return {};
+}
+
+}  // namespace pinfield
