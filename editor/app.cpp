@@ -7,6 +7,7 @@
 
 #include "editor/ask_elsewhere.h"
 #include "editor/keep_preferences.h"
+#include "editor/lay_under.h"
 #include "editor/widgets/screen_text.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
@@ -110,7 +111,8 @@ std::optional<Vec2> App::find_words(std::string_view words, std::string_view pan
     const std::vector<ScreenText> texts = screen_texts();
     const std::string window = panel.empty() ? "" : "##" + std::string(panel);
     for (const ScreenText& text : texts)
-        if (text.window.starts_with(window) && (text.text == words || (text.text.starts_with(words) && (!best || best->text != words)))) best = &text;
+        if (text.window.starts_with(window) && (text.text == words || (text.text.starts_with(words) && (!best || best->text != words))))
+            best = &text;
     if (!best) return {};
     return Vec2(best->at.x + 0.5 * ImGui::CalcTextSize(best->text.c_str()).x, best->at.y + 0.5 * ImGui::GetFontSize());
 }
@@ -147,7 +149,7 @@ void App::draw(int ticks, double seconds) {
         if (event.kind == WindowEvent::Kind::cursor) ui_.mouse = event.place;
         else if (event.kind == WindowEvent::Kind::key) take_key(event);
         else if (event.kind == WindowEvent::Kind::close) editor::run(state_, "app.quit");
-        else if (event.kind == WindowEvent::Kind::drop) open_file(state_, event.path);
+        else if (event.kind == WindowEvent::Kind::drop) take_dropped_file(state_, event.path);
         else if (event.kind == WindowEvent::Kind::focus && !event.down) state_.session.release_all();
     }
     ui_.hovered = {};
@@ -180,7 +182,9 @@ void App::look_around(double seconds) {
 
 void App::ask_for_path() {
     using Kind = PathAnswer::Kind;
-    const PathAsker asker{[this](bool saves, const std::string& at) { return dialog_.open(saves, at); },
+    const PathAsker asker{[this](const PathQuestion& question, const std::string& at) {
+                               return dialog_.open({question.title, question.files, question.patterns, question.saves}, at);
+                           },
                           [this]() -> PathAnswer {
                               switch (dialog_.poll()) {
                                   case NativeDialog::State::waiting: return {};
@@ -199,7 +203,8 @@ double App::seconds_until_frame() {
     Stir stir;
     stir.hidden = window_->minimised();
     stir.events = window_->has_events() || bridge_.wants_frames() || state_.said != shown_messages_;
-    stir.table = runs && (options_.ticks_per_frame > 0 || since >= clock_period || shown_.differs(state_.session.world(), unseen_pixels / canvas().pixels_per_metre));
+    stir.table = runs && (options_.ticks_per_frame > 0 || since >= clock_period ||
+                          shown_.differs(state_.session.world(), unseen_pixels / canvas().pixels_per_metre));
     if (pace_.due(stir)) return 0.9 * period - since;
     return runs && !stir.hidden ? period : rest_period;
 }
@@ -275,9 +280,20 @@ void App::paint() {
     look.backdrop = backdrop;
     look.rim = Tint(Role::rim).rgb();
     look.shadow = theme_ == ThemeChoice::light ? 0.55 : 1;
+    look.underlay = underlay_look();
     table_painter_.draw(program, places, balls, look, canvas);
     paint_outlines(program, places, canvas);
     gl.Viewport(0, 0, whole(canvas.framebuffer.x()), whole(canvas.framebuffer.y()));
+}
+
+UnderlayLook App::underlay_look() {
+    const std::shared_ptr<const Bitmap>& bitmap = state_.underlay.bitmap;
+    if (bitmap != painted_underlay_ && bitmap) table_painter_.set_underlay(bitmap->width, bitmap->height, bitmap->rgba.data());
+    painted_underlay_ = bitmap;
+    const Underlay& underlay = state_.aids.underlay;
+    if (!bitmap || !underlay.shown) return {};
+    const Box2 box = box_of(underlay, *underlay_pixels(state_));
+    return {box.lo, box.size(), underlay.quarter_turns, underlay.opacity, state_.tool == Tool::underlay};
 }
 
 void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> places, const Canvas& canvas) {
@@ -288,7 +304,8 @@ void App::paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> 
         outline_painter_.draw(program, places, node, {palette::teal.rgb(), 0.45, 1.2 * pixel, 0.04, 0.10}, canvas);
     }
     if (!plays(state_))
-        for (const NodeId node : hidden_solids(*program)) outline_painter_.draw(program, places, node, {palette::quiet.rgb(), 0.6, pixel, 0, 0.14}, canvas);
+        for (const NodeId node : hidden_solids(*program))
+            outline_painter_.draw(program, places, node, {palette::quiet.rgb(), 0.6, pixel, 0, 0.14}, canvas);
     if (ui_.hovered && !state_.selection.contains(ui_.hovered) && !ui_.drag.active())
         paint_outline(ui_.hovered, places, {palette::text.rgb(), 0.75, 1.4 * pixel, 0.06, 0}, canvas);
     for (const NodeId node : state_.selection.nodes())

@@ -68,6 +68,7 @@ private:
     void draw(int ticks, double seconds);  ///< all of a frame but showing it
     Canvas canvas() const;
     void paint();
+    UnderlayLook underlay_look();  ///< hands a new picture to the painter
     void paint_outlines(const ProgramPtr& program, std::span<const MoverPlace> places, const Canvas& canvas);
     void paint_outline(NodeId node, std::span<const MoverPlace> places, const OutlineStyle& style, const Canvas& canvas);
 
@@ -83,6 +84,7 @@ private:
     Keyboard keyboard_;
     FramePace pace_;
     ShownTable shown_;
+    std::shared_ptr<const Bitmap> painted_underlay_;
     RealTime real_time_;
     int shown_messages_ = 0;
     double last_seconds_ = 0, owed_seconds_ = 0, looked_seconds_ = 0, kept_seconds_ = 0;

@@ -11,6 +11,7 @@
 #include "editor/handlers.h"
 #include "editor/handles.h"
 #include "editor/keep_work.h"
+#include "editor/lay_under.h"
 #include "editor/pick.h"
 #include "editor/starters.h"
 #include "engine/core/at.h"
@@ -61,11 +62,6 @@ bool open_now(AppState& state, const std::string& path) {
     else say(state, fmt::format("Opened {}", name_of(state.document)));
     offer_work(state);
     return true;
-}
-
-void ask_path(AppState& state, std::string action) {
-    state.dialog_action = std::move(action);
-    state.dialog_path = state.document.path();
 }
 
 /// Goes on with what a prompt held up; unsaved work has been dealt with.
@@ -135,10 +131,16 @@ void accept_path(AppState& state) {
         if (open_now(state, state.dialog_path)) close_dialog(state);
         return;
     }
+    if (state.dialog_action == "underlay.open") {
+        if (lay_under(state, state.dialog_path)) close_dialog(state);
+        return;
+    }
     std::error_code unknown;
     const bool there = std::filesystem::exists(state.dialog_path, unknown);
-    if (there && !std::filesystem::equivalent(state.dialog_path, state.document.path(), unknown) && std::exchange(state.replaces, state.dialog_path) != state.dialog_path)
-        return say(state, fmt::format("There is a {} already. Save again to replace it, or give another name.", name_of(state.dialog_path)), true);
+    if (there && !std::filesystem::equivalent(state.dialog_path, state.document.path(), unknown) &&
+        std::exchange(state.replaces, state.dialog_path) != state.dialog_path)
+        return say(state, fmt::format("There is a {} already. Save again to replace it, or give another name.", name_of(state.dialog_path)),
+                   true);
     keep_safe(state);
     const Result<void> saved = state.document.save_as(state.dialog_path);
     if (!saved) return say(state, saved.error().message, true);
@@ -244,7 +246,8 @@ constexpr Handler handlers[] = {
 };
 
 const Handler& handler_of(std::string_view action) {
-    for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers(), merge_handlers(), preference_handlers()})
+    for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers(), merge_handlers(),
+                                                preference_handlers(), underlay_handlers()})
         for (const Handler& handler : list)
             if (handler.action == action) return handler;
     assert(false && "every action of the table has a handler");
@@ -326,6 +329,12 @@ void go_to_step(AppState& state, std::size_t done) {
     say(state, done > 0 ? fmt::format("At: {}", document.step_label(done - 1)) : "At the beginning");
 }
 
+void ask_path(AppState& state, std::string action) {
+    const std::string& underlay = state.aids.underlay.path;
+    state.dialog_path = action == "underlay.open" && !underlay.empty() ? underlay : state.document.path();
+    state.dialog_action = std::move(action);
+}
+
 void open_file(AppState& state, const std::string& path) {
     if (!blocked(state, "file.open")) guard(state, "file.open", path);
 }
@@ -372,6 +381,7 @@ void advance(AppState& state, int ticks) {
     tell_of_moved_balls(state);
     if (state.occasion.text != text_of(state) && !state.message.empty()) say(state, {});
     if (state.occasion.selected != state.selection.nodes()) forget_problem(state);
+    follow_underlay(state);
     state.selection.drop_if([&](NodeId node) { return !state.document.scene().find(node); });
     if (!state.document.scene().find(state.entered)) state.entered = {};
     if (!asks(state)) state.session.advance(ticks);

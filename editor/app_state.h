@@ -18,6 +18,7 @@
 #include "editor/structure_tools.h"
 #include "editor/table_aids.h"
 #include "editor/view.h"
+#include "engine/io/picture_file.h"
 
 namespace pinfield::editor {
 
@@ -45,8 +46,14 @@ struct Occasion {
 };
 
 /// What the mouse does over the table. select: all of it, with the handles of a node; move: nodes only; turn and scale: the selection;
-/// measure: nothing.
-enum class Tool : unsigned char { select, move, turn, scale, measure };
+/// measure: nothing; underlay: the picture beneath the table.
+enum class Tool : unsigned char { select, move, turn, scale, measure, underlay };
+
+/// The picture that was read for the underlay.
+struct UnderlayPicture {
+    std::string path{};
+    std::shared_ptr<const Bitmap> bitmap{};  ///< null: it could not be read
+};
 
 /// One point of a node's: what was clicked last, and what Delete takes out.
 struct PickedPoint {
@@ -75,7 +82,7 @@ struct AppState {
     bool message_is_problem = false;
     int said = 0;               ///< how many messages there were, and how often one went
     Occasion occasion{};        ///< of the message
-    std::string dialog_action;  ///< "file.open" or "file.save_as" while its path is being asked for, until dialog.accept or
+    std::string dialog_action;  ///< "file.open" or another while its path is being asked for, until dialog.accept or
     std::string dialog_path;    ///< dialog.cancel; what the user typed so far
     std::string replaces{};     ///< another file that was asked about: naming it once more replaces it
     NodeId renaming{};          ///< its new id is to be typed in the tree
@@ -93,6 +100,7 @@ struct AppState {
     PreferencesFile preferences_file{};  ///< keeps it
     TableAids aids{};                    ///< laid over this table to work by, as
     AidsFolder aids_folder{};            ///< keeps it
+    UnderlayPicture underlay{};          ///< as the aids name it
     std::optional<Recovery> recovery;    ///< unsaved work on offer, until recover.restore, recover.discard or recover.later
     std::vector<Orphan> more_to_recover; ///< offered after it
     bool choosing = false;      ///< File > New asks which table to begin with
@@ -126,6 +134,8 @@ void forget_problem(AppState& state);
 void age_message(AppState& state, double seconds);
 /// Undoes or redoes until so many steps of the history are done.
 void go_to_step(AppState& state, std::size_t done);
+/// Asks for the path that an action needs.
+void ask_path(AppState& state, std::string action);
 /// Opens a file in place of the document (a drop, a recent file), after asking about unsaved work.
 void open_file(AppState& state, const std::string& path);
 /// Applies one edit as one undo step; a refusal becomes the message. True when it was applied.

@@ -8,8 +8,11 @@ void ask_elsewhere(AppState& state, const PathAsker& asker, std::string& asked) 
     if (state.dialog_action != asked) {
         if (state.asks_elsewhere) asker.close();
         asked = state.dialog_action;
-        const bool saves = asked == "file.save_as";
-        state.asks_elsewhere = !asked.empty() && asker.open(saves, state.dialog_path.empty() && saves ? "table.yaml" : state.dialog_path);
+        state.asks_elsewhere = false;
+        if (!asked.empty()) {
+            const PathQuestion& question = path_question(asked);
+            state.asks_elsewhere = asker.open(question, state.dialog_path.empty() && question.saves ? "table.yaml" : state.dialog_path);
+        }
     }
     if (!state.asks_elsewhere) return;
     PathAnswer answer = asker.poll();

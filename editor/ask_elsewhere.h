@@ -4,6 +4,7 @@
 #include <string>
 
 #include "editor/app_state.h"
+#include "editor/path_question.h"
 
 namespace pinfield::editor {
 
@@ -16,7 +17,7 @@ struct PathAnswer {
 
 /// Another program that asks for paths.
 struct PathAsker {
-    std::function<bool(bool saves, const std::string& at)> open;  ///< false: there is none
+    std::function<bool(const PathQuestion& question, const std::string& at)> open;  ///< false: there is none
     std::function<PathAnswer()> poll;
     std::function<void()> close;
 };

@@ -25,5 +25,7 @@ std::span<const Handler> arrange_handlers();
 std::span<const Handler> merge_handlers();
 /// How the editor looks and works, and what it shows: preference_actions.cpp.
 std::span<const Handler> preference_handlers();
+/// The picture beneath the table: underlay_actions.cpp.
+std::span<const Handler> underlay_handlers();
 
 }  // namespace pinfield::editor

@@ -45,8 +45,17 @@ std::optional<std::string> quantity(const ScriptStep& step, const AppState& stat
         if (step.field == "balls") return count(state.session.world().balls().size());
         if (step.field == "problems") return count(state.document.diagnostics().size() + state.session.problems().size());
         if (step.field == "undo_steps") return count(state.document.undo_steps());
-        if (step.field == "selection") return state.selection.empty() ? std::string("none") : state.document.scene().path(state.selection.primary());
+        if (step.field == "selection")
+            return state.selection.empty() ? std::string("none") : state.document.scene().path(state.selection.primary());
         return {};
+    }
+    if (step.node == "underlay") {
+        const Underlay& underlay = state.aids.underlay;
+        if (step.field == "there") return truth(state.underlay.bitmap != nullptr);
+        if (step.field == "width") return to_text(1000 * underlay.width, 3);
+        if (step.field == "x") return to_text(1000 * underlay.centre.x(), 3);
+        if (step.field == "y") return to_text(1000 * underlay.centre.y(), 3);
+        if (step.field == "opacity") return to_text(underlay.opacity, 2);
     }
     if (step.node == "preferences")
         for (const PreferenceField& field : preference_fields())
@@ -188,7 +197,8 @@ ScriptRunner::Frame ScriptRunner::run_structure(const ScriptStep& step, AppState
     const NodeId into = parent ? parent->id : NodeId{};
     const Spot spot{into, step.index < 0 ? static_cast<int>(scene.children_of(into).size()) : step.index};
     if (step.kind == Kind::insert || step.kind == Kind::paste) {
-        take(state, paste_text(state.document, step.value, step.kind == Kind::insert ? spot : spot_after(scene, state.selection.nodes()), {}));
+        take(state,
+             paste_text(state.document, step.value, step.kind == Kind::insert ? spot : spot_after(scene, state.selection.nodes()), {}));
         return state.message_is_problem ? fail(state.message) : Frame{};
     }
     const auto nodes = nodes_of(step, state);

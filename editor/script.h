@@ -77,8 +77,8 @@ private:
 };
 
 /// Why a field of a node, or a quantity of the editor, is not what was expected; or nothing. Quantities: `<node>.hits`, and of the
-/// node `editor`: dirty, playing, selection, hits, drained, balls, problems, undo_steps; of `preferences`: each by its key. A value of a
-/// quantity may begin with a comparison (">= 3").
+/// node `editor`: dirty, playing, selection, hits, drained, balls, problems, undo_steps; of `preferences`: each by its key; of `underlay`:
+/// there, opacity and, in millimetres, width, x and y of its middle. A value of a quantity may begin with a comparison (">= 3").
 std::optional<std::string> unmet(const ScriptStep& expectation, const AppState& state);
 
 }  // namespace pinfield::editor

@@ -53,8 +53,11 @@ TableAids read_aids(std::string_view text) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
         const std::string_view line = text.substr(at, end - at);
         if (line.starts_with("guide:")) read_guide(line.substr(6), aids);
+        if (const std::size_t colon = line.find(": "); line.starts_with("underlay") && colon != std::string_view::npos)
+            read_underlay_line(line.substr(0, colon), line.substr(colon + 2), aids.underlay);
         at = end + 1;
     }
+    if (aids.underlay.path.empty() || !(aids.underlay.width > 0)) aids.underlay = {};
     return aids;
 }
 
@@ -62,7 +65,7 @@ std::string write_aids(const std::string& table, const TableAids& aids) {
     std::string text = fmt::format("table: {}\n", table);
     for (const Guide& guide : aids.guides)
         text += fmt::format("guide: {} {}\n", guide.axis == 0 ? 'x' : 'y', write_quantity(guide.at, Unit::metre, "1mm"));
-    return text;
+    return text + write_underlay(aids.underlay);
 }
 
 std::string AidsFolder::file_of(const std::string& table) const {

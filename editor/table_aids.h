@@ -5,15 +5,17 @@
 #include <vector>
 
 #include "editor/guides.h"
+#include "editor/underlay.h"
 
 namespace pinfield::editor {
 
 struct TableAids {
     std::vector<Guide> guides{};
+    Underlay underlay{};
     bool operator==(const TableAids&) const = default;
 };
 
-/// Lines of `guide: x 120mm`, and of `guide: y 0.5`; what is not understood is left out. At most most_guides.
+/// Lines of `guide: x 120mm`, and of `guide: y 0.5`, and those of an underlay; what is not understood is left out. At most most_guides.
 inline constexpr std::size_t most_guides = 200;
 TableAids read_aids(std::string_view text);
 std::string write_aids(const std::string& table, const TableAids& aids);

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "editor/panels/ui.h"
+#include "editor/path_question.h"
 #include "editor/widgets/modal.h"
 #include "editor/widgets/widgets.h"
 #include "engine/core/at.h"
@@ -23,7 +24,7 @@ void list_folder(PathDialog& dialog) {
         if (name.empty() || name[0] == '.') continue;
         std::error_code unknown;
         if (it->is_directory(unknown)) dialog.folders.push_back(name);
-        else if (it->path().extension() == ".yaml" || it->path().extension() == ".yml") dialog.files.push_back(name);
+        else if (is_wanted(path_question(dialog.action), name)) dialog.files.push_back(name);
     }
     std::sort(dialog.folders.begin(), dialog.folders.end());
     std::sort(dialog.files.begin(), dialog.files.end());
@@ -71,7 +72,8 @@ bool listing(const Theme& theme, PathDialog& dialog) {
         if (click.once || click.twice) dialog.name = file;
         done = done || click.twice;
     }
-    if (dialog.folders.empty() && dialog.files.empty()) text_in(theme.body, palette::quiet, "  No tables in this folder.");
+    if (dialog.folders.empty() && dialog.files.empty())
+        text_in(theme.body, palette::quiet, std::string("  ") + path_question(dialog.action).none);
     ImGui::PopStyleVar();
     ImGui::EndChild();
     ImGui::PopStyleVar(2);
@@ -83,14 +85,14 @@ bool listing(const Theme& theme, PathDialog& dialog) {
 void begin_path_dialog(const AppState& state, PathDialog& dialog) {
     dialog.action = state.dialog_action;
     const fs::path path(state.dialog_path);
-    dialog.name = state.dialog_action == "file.open" ? "" : path.empty() ? "table.yaml" : path.filename().string();
+    dialog.name = !path_question(dialog.action).saves ? "" : path.empty() ? "table.yaml" : path.filename().string();
     go_to(dialog, path.has_parent_path() ? path.parent_path() : fs::current_path());
 }
 
 /// While the desktop's own dialog asks, this window holds.
 void elsewhere_dialog(AppState& state, const Theme& theme) {
     if (!begin_modal(theme, "##elsewhere", 380)) return;
-    text_in(theme.large, palette::text, state.dialog_action == "file.open" ? "Open a table" : "Save the table as");
+    if (!state.dialog_action.empty()) text_in(theme.large, palette::text, path_question(state.dialog_action).title);
     text_in(theme.body, palette::quiet, "The file is chosen in the desktop's own window.");
     ImGui::Dummy({0, theme.px(8)});
     align_right(theme.px(92));
@@ -112,8 +114,8 @@ void path_dialog(AppState& state, Ui& ui) {
     if (begins) begin_path_dialog(state, dialog);
     if (dialog.action.empty()) return;
     if (begin_modal(theme, title, 560)) {
-        const bool opens = dialog.action == "file.open";
-        text_in(theme.large, palette::text, opens ? "Open a table" : "Save the table as");
+        const PathQuestion& question = path_question(dialog.action);
+        text_in(theme.large, palette::text, question.title);
         text_in(theme.small, palette::quiet, fitted(dialog.folder, ImGui::GetContentRegionAvail().x));
         bool accept = listing(theme, dialog);
         ImGui::Dummy({0, theme.px(2)});
@@ -135,7 +137,7 @@ void path_dialog(AppState& state, Ui& ui) {
         const bool replaces = state.replaces == path;
         const bool cancel = dialog_button(theme, "Cancel", false) || escape_pressed();
         ImGui::SameLine();
-        accept = dialog_button(theme, opens ? "Open" : replaces ? "Replace" : "Save", true) || accept;
+        accept = dialog_button(theme, replaces ? "Replace" : question.answer, true) || accept;
         if (cancel) run(state, "dialog.cancel");
         else if (accept && !dialog.name.empty()) {
             state.dialog_path = path;
@@ -214,7 +216,8 @@ void recovery_dialog(AppState& state, Ui& ui) {
     ImGui::PushTextWrapPos(0);
     text_in(theme.body, palette::quiet, summary(recovery, seconds_since_1970()));
     if (recovery.file_changed)
-        text_in(theme.body, palette::amber, "The file has changed since: what it holds now would be replaced as below. Undo brings it back.");
+        text_in(theme.body, palette::amber,
+                "The file has changed since: what it holds now would be replaced as below. Undo brings it back.");
     if (recovery.file_gone) text_in(theme.body, palette::amber, "Its file is gone: " + recovery.orphan.work.table);
     ImGui::PopTextWrapPos();
     diff_list(theme, recovery.diff);

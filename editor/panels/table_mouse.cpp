@@ -5,6 +5,7 @@
 #include "editor/panels/measure_tool.h"
 #include "editor/panels/rulers.h"
 #include "editor/panels/ui.h"
+#include "editor/panels/underlay_tool.h"
 #include "editor/pick.h"
 #include "editor/widgets/widgets.h"
 
@@ -213,11 +214,15 @@ void table_mouse(AppState& state, Ui& ui) {
     pan_and_zoom(state, ui);
     if (state.tool == Tool::measure && !ui.panning) {
         measure(state, ui);
+    } else if (state.tool == Tool::underlay && !ui.panning) {
+        move_underlay(state, ui);
     } else if (!ui.panning) {
         left_button(state, ui);
     }
     const bool on_handle = ui.handle_drag.active() || handle_under_mouse(state, ui) >= 0;
-    if (ui.viewport_hovered && !ui.panning && !on_handle && state.tool != Tool::measure) ui.hovered = grip_at(state, state.entered, ui.mouse_world, slack_of(state)).node;
+    const bool on_nodes = state.tool != Tool::measure && state.tool != Tool::underlay;
+    if (ui.viewport_hovered && !ui.panning && !on_handle && on_nodes)
+        ui.hovered = grip_at(state, state.entered, ui.mouse_world, slack_of(state)).node;
     if (ImGui::BeginPopup("##node_menu")) {
         if (ui.under_mouse.size() > 1) {
             text_in(ui.theme.small, palette::quiet, "Under the mouse");
@@ -237,7 +242,8 @@ bool cancel_drag(AppState& state, Ui& ui) {
     const bool guide = cancel_guide(state, ui), measured = state.tool == Tool::measure && ui.measurement;
     ui.measurement.reset();
     ui.measuring = false;
-    const bool any = guide || measured || ui.drag.active() || ui.marquee || ui.handle_drag.active() || ui.transform.active();
+    const bool underlay = cancel_underlay(state, ui);
+    const bool any = guide || measured || underlay || ui.drag.active() || ui.marquee || ui.handle_drag.active() || ui.transform.active();
     ui.handle_drag.cancel(state.document);
     ui.transform.cancel(state.document);
     ui.magnets = {};

@@ -123,6 +123,25 @@ struct CommandPalette {
     bool reveals_chosen = false;  ///< scroll so that it is seen
 };
 
+/// A length being typed beside its label.
+struct TypedLength {
+    std::string text{};
+    bool active = false;
+    bool begins = false;  ///< the text field must take the keyboard in the next frame
+};
+
+/// The hand of the underlay's tool. Places are of the picture's own frame.
+struct UnderlayHand {
+    std::vector<Vec2> points{};  ///< at most two, whose distance is known
+    bool wants_distance = false; ///< it is to be typed now
+    TypedLength width{}, distance{};
+    bool pressing = false, dragging = false;
+    Underlay before{};           ///< when the button went down
+    Vec2 pressed_at{0, 0};       ///< window pixels
+    int point = -1;              ///< in the hand; -1: the picture is
+    Vec2 point_before{0, 0};
+};
+
 struct Ui {
     Theme theme;
     bool problems_open = false;
@@ -140,6 +159,7 @@ struct Ui {
     GuideHand guide_hand;
     std::optional<Measurement> measurement;  ///< with the measure tool
     bool measuring = false;                  ///< its end follows the mouse
+    UnderlayHand underlay;
     TransformDrag transform;
     Handles handles;
     HandleDrag handle_drag;

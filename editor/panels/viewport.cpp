@@ -8,6 +8,7 @@
 #include "editor/panels/measure_tool.h"
 #include "editor/panels/rulers.h"
 #include "editor/panels/ui.h"
+#include "editor/panels/underlay_tool.h"
 #include "editor/pick.h"
 #include "editor/play_hint.h"
 #include "editor/widgets/widgets.h"
@@ -83,13 +84,15 @@ void draw_play_hint(const AppState& state, const Theme& theme, ImDrawList& list)
     const float gap = r + theme.px(20), right = static_cast<float>(state.view.origin.x() + state.view.size.x());
     ImVec2 place{std::round(ball.x + gap), std::round(ball.y - 0.5f * size.y)};
     if (place.x + size.x + pad.x > right) place = {std::round(right - size.x - 2 * pad.x), std::round(ball.y - gap - size.y)};
-    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y}, ink(palette::bar.faded(0.88f)), theme.px(4));
+    list.AddRectFilled({place.x - pad.x, place.y - pad.y}, {place.x + size.x + pad.x, place.y + size.y + pad.y},
+                       ink(palette::bar.faded(0.88f)), theme.px(4));
     list.AddText(place, ink(palette::amber), hint->text.c_str());
 }
 
 void draw_marquee(const AppState& state, const Ui& ui, ImDrawList& list) {
     const ImVec2 a = im(state.view.pixel_from_world(ui.pressed_at)), b = im(ui.mouse);
-    list.AddRectFilled({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}, ink(palette::accent.faded(0.12f)));
+    list.AddRectFilled({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)},
+                       ink(palette::accent.faded(0.12f)));
     list.AddRect({std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}, ink(palette::accent));
 }
 
@@ -103,7 +106,8 @@ void draw_snap_lines(const AppState& state, const Ui& ui, ImDrawList& list) {
         if (line.kind != SnapLine::Kind::gap) continue;
         const bool level = line.a.y() == line.b.y();
         const ImVec2 across = level ? ImVec2(0, end) : ImVec2(end, 0);
-        for (const ImVec2& tip : {a, b}) list.AddLine({tip.x - across.x, tip.y - across.y}, {tip.x + across.x, tip.y + across.y}, ink(palette::amber), width);
+        for (const ImVec2& tip : {a, b})
+            list.AddLine({tip.x - across.x, tip.y - across.y}, {tip.x + across.x, tip.y + across.y}, ink(palette::amber), width);
         const Shown text = shown(length(line.b - line.a), Unit::metre);
         const ImVec2 middle{0.5f * (a.x + b.x) + theme.px(level ? -12 : 10), 0.5f * (a.y + b.y) + theme.px(level ? 8 : -8)};
         plate(theme, list, middle, text.number + " " + text.unit, palette::amber);
@@ -169,6 +173,7 @@ void overlay(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     draw_snap_lines(state, ui, list);
     draw_gap_warning(state, ui, list);
     draw_measure(state, ui, list);
+    draw_underlay_points(state, ui, list);
     draw_play_hint(state, theme, list);
     if (ui.marquee) draw_marquee(state, ui, list);
     if (!state.preferences.show_rulers) scale_bar(state, theme, list, {position.x + theme.px(16), position.y + size.y - theme.px(16)});
@@ -182,7 +187,8 @@ void view_controls(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     const float icon = ImGui::GetFontSize() + 2 * theme.px(4);
     if (size.x < words + icon + 3 * margin) return;
     ImGui::SetCursorScreenPos({position.x + size.x - words - icon - margin - theme.px(6), position.y + margin});
-    const int style = segmented(theme, "style", std::array<std::string_view, 2>{"Shaded", "Isolines"}, state.view.style == ViewStyle::shaded ? 0 : 1);
+    const int style =
+        segmented(theme, "style", std::array<std::string_view, 2>{"Shaded", "Isolines"}, state.view.style == ViewStyle::shaded ? 0 : 1);
     if (style >= 0) run(state, style == 0 ? "view.shaded" : "view.isolines");
     ImGui::SetCursorScreenPos({position.x + size.x - margin - icon, position.y + margin});
     if (icon_button(theme, {.icon = Icon::frame, .id = "frame", .tooltip = "Frame the table (Home)"}, icon)) run(state, "view.all");
@@ -210,6 +216,7 @@ void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     overlay(state, ui, position, size);
     view_controls(state, ui, position, size);
     breadcrumb(state, ui, position);
+    underlay_controls(state, ui, position, size);
     ImGui::End();
 }
 

@@ -35,6 +35,7 @@ namespace pinfield::editor {
     X(GenBuffers, GENBUFFERS)                          \
     X(GenFramebuffers, GENFRAMEBUFFERS)                \
     X(GenTextures, GENTEXTURES)                        \
+    X(GenerateMipmap, GENERATEMIPMAP)                  \
     X(GenVertexArrays, GENVERTEXARRAYS)                \
     X(GetProgramInfoLog, GETPROGRAMINFOLOG)            \
     X(GetProgramiv, GETPROGRAMIV)                      \

@@ -20,14 +20,14 @@ std::string_view variable(const char* name) {
     return text ? text : "";
 }
 
-std::vector<std::string> arguments_of(bool saves, const std::string& at) {
+std::vector<std::string> arguments_of(const DialogWords& asked, const std::string& at) {
     std::vector<std::string> out{"zenity",
                                  "--file-selection",
-                                 saves ? "--title=Save the table as" : "--title=Open a table",
+                                 "--title=" + asked.title,
                                  "--filename=" + at,
-                                 "--file-filter=Tables (*.yaml) | *.yaml *.yml",
+                                 "--file-filter=" + asked.files + " | " + asked.patterns,
                                  "--file-filter=All files | *"};
-    if (saves) out.insert(out.end(), {"--save", "--confirm-overwrite"});
+    if (asked.saves) out.insert(out.end(), {"--save", "--confirm-overwrite"});
     return out;
 }
 
@@ -53,12 +53,12 @@ std::string program_called(const std::string& name) {
 
 NativeDialog::~NativeDialog() { close(); }
 
-bool NativeDialog::open(bool saves, const std::string& at) {
+bool NativeDialog::open(const DialogWords& asked, const std::string& at) {
     close();
     path_.clear();
     const std::string program = program_called("zenity");
     if (program.empty() || (variable("DISPLAY").empty() && variable("WAYLAND_DISPLAY").empty())) return false;
-    std::vector<std::string> words = arguments_of(saves, at);
+    std::vector<std::string> words = arguments_of(asked, at);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);

@@ -5,6 +5,14 @@
 
 namespace pinfield::editor {
 
+/// What it says, and which files it lists.
+struct DialogWords {
+    std::string title;     ///< "Open a table"
+    std::string files;     ///< "Tables"
+    std::string patterns;  ///< "*.yaml *.yml"
+    bool saves = false;    ///< the file may be a new one
+};
+
 class NativeDialog {
 public:
     enum class State : unsigned char { none, waiting, chosen, cancelled, failed };
@@ -15,7 +23,7 @@ public:
     NativeDialog& operator=(const NativeDialog&) = delete;
 
     /// Opens it where `at` is, a folder or a file. False where there is no such program, or no desktop to show it on.
-    bool open(bool saves, const std::string& at);
+    bool open(const DialogWords& words, const std::string& at);
     /// After chosen, path() is the file; after any answer there is no dialog any more.
     State poll();
     const std::string& path() const { return path_; }

@@ -113,6 +113,32 @@ void FieldTexture::bind() const {
     gl_.BindTexture(GL_TEXTURE_2D, distance_);
 }
 
+PictureTexture::PictureTexture(const Gl& gl) : gl_(gl) {
+    gl.GenTextures(1, &texture_);
+    constexpr unsigned char nothing[4] = {};
+    upload(1, 1, nothing);
+}
+
+PictureTexture::~PictureTexture() { gl_.DeleteTextures(1, &texture_); }
+
+void PictureTexture::upload(int width, int height, const unsigned char* rgba) {
+    gl_.ActiveTexture(GL_TEXTURE0);
+    gl_.BindTexture(GL_TEXTURE_2D, texture_);
+    gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+    gl_.GenerateMipmap(GL_TEXTURE_2D);
+}
+
+void PictureTexture::bind(int unit) const {
+    gl_.ActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
+    gl_.BindTexture(GL_TEXTURE_2D, texture_);
+    gl_.ActiveTexture(GL_TEXTURE0);
+}
+
 KeptPicture::KeptPicture(const Gl& gl) : gl_(gl) {
     gl.GenFramebuffers(1, &buffer_);
     gl.GenTextures(1, &texture_);

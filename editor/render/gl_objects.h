@@ -57,6 +57,24 @@ private:
     int width_ = 0, height_ = 0;
 };
 
+/// A photograph, shown at any size.
+class PictureTexture {
+public:
+    explicit PictureTexture(const Gl& gl);
+    ~PictureTexture();
+    PictureTexture(const PictureTexture&) = delete;
+    PictureTexture& operator=(const PictureTexture&) = delete;
+
+    /// Rows from the top, four bytes a pixel.
+    void upload(int width, int height, const unsigned char* rgba);
+    /// To a unit; one pixel without color before the first upload.
+    void bind(int unit) const;
+
+private:
+    const Gl& gl_;
+    unsigned texture_ = 0;
+};
+
 /// A picture that is drawn once and shown many times.
 class KeptPicture {
 public:

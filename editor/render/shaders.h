@@ -43,6 +43,12 @@ uniform float shadow;          // how strong shadows are
 uniform int mover;             // 1: only the solid and its shadow, over what is there
 uniform int isolines;
 uniform float spacing;         // of isolines, metres
+uniform sampler2D underlay;
+uniform vec2 underlay_corner;  // lower left, world
+uniform vec2 underlay_size;    // metres
+uniform int underlay_turns;    // quarters, to the left
+uniform float underlay_opacity;
+uniform int underlay_over;     // 1: over the table, too
 out vec4 color;
 
 float distance_at(vec2 p) { return texture(distances, p).r; }
@@ -60,6 +66,15 @@ vec3 solid_color(vec3 base, float d, float slope) {
     c += bevel * max(slope, 0.0) * vec3(0.30, 0.29, 0.27);
     c *= 1.0 - 0.42 * bevel * max(-slope, 0.0);
     return c;
+}
+
+/// The photograph's color at a place of the world, and how much of it is seen.
+vec4 underlay_at(vec2 world) {
+    vec2 own = (world - underlay_corner) / underlay_size - 0.5;
+    vec2 edge = (0.5 - abs(own)) * underlay_size * pixels_per_metre;
+    for (int i = 0; i < underlay_turns; ++i) own = vec2(own.y, -own.x);
+    vec4 c = texture(underlay, vec2(0.5 + own.x, 0.5 - own.y));
+    return vec4(c.rgb, c.a * underlay_opacity * clamp(0.5 + min(edge.x, edge.y), 0.0, 1.0));
 }
 
 void main() {
@@ -83,16 +98,19 @@ void main() {
     vec2 world = world_corner + vec2(pixel.x, 0.0) / pixels_per_metre;
     world.y = world_corner.y - pixel.y / pixels_per_metre;
     vec2 middle = 0.5 * table;
+    vec4 photo = underlay_at(world);
     if (isolines == 1) {
         // Beyond the table the field goes on for ever, but it is not what one looks at.
         float beyond = smoothstep(0.0, 0.05, rounded_box(world - middle, middle, 0.0));
-        color = vec4(mix(isoline_color(d, spacing, 1.0 / pixels_per_metre), backdrop.rgb, 0.88 * beyond), 1.0);
+        vec3 lines = mix(isoline_color(d, spacing, 1.0 / pixels_per_metre), backdrop.rgb, 0.88 * beyond);
+        color = vec4(underlay_over == 1 ? mix(lines, photo.rgb, photo.a) : lines, 1.0);
         return;
     }
     float height = clamp(world.y / max(table.y, 1e-6), 0.0, 1.0);
     vec3 floor_color = mix(floor_low.rgb, floor_high.rgb, height);
     float across = (world.x - middle.x) / max(middle.x, 1e-6);
     floor_color *= 1.06 - 0.16 * across * across;
+    floor_color = mix(floor_color, photo.rgb, photo.a);
     floor_color *= 1.0 - 0.30 * shadow * exp(-max(d, 0.0) / 0.006);   // light does not reach into corners
     floor_color *= 1.0 - shade;
     vec3 c = mix(floor_color, solid_color(base, d, slope), cover);
@@ -107,7 +125,8 @@ void main() {
     c = mix(c, wood, in_rim);
     float outside = clamp(0.5 + outer * pixels_per_metre, 0.0, 1.0);
     vec3 ground = backdrop.rgb * (1.0 - 0.45 * shadow * exp(-max(outer, 0.0) / 0.020));
-    color = vec4(mix(c, ground, outside), 1.0);
+    c = mix(c, mix(ground, photo.rgb, photo.a), outside);
+    color = vec4(underlay_over == 1 ? mix(c, photo.rgb, photo.a) : c, 1.0);
 }
 )";
 

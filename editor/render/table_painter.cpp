@@ -54,7 +54,13 @@ TablePainter::TablePainter(const Gl& gl)
       ball_shader_(gl, shaders::quad_vertex, shaders::ball_fragment),
       quads_(gl),
       table_(gl),
+      underlay_(gl),
       kept_(gl) {}
+
+void TablePainter::set_underlay(int width, int height, const unsigned char* rgba) {
+    underlay_.upload(width, height, rgba);
+    underlay_is_new_ = true;
+}
 
 void TablePainter::draw(const ProgramPtr& program, std::span<const MoverPlace> places, std::span<const BallMark> balls,
                         const TableLook& look, const Canvas& canvas) {
@@ -137,7 +143,7 @@ void TablePainter::prepare(const TableLook& look, const Canvas& canvas, const Fi
 }
 
 void TablePainter::keep_table(const Program& program, PixelBox changed, const TableLook& look, const Canvas& canvas) {
-    if (!(look == kept_look_)) changed = {0, 0, canvas.width(), canvas.height()};
+    if (std::exchange(underlay_is_new_, false) || !(look == kept_look_)) changed = {0, 0, canvas.width(), canvas.height()};
     if (changed.left >= changed.right) return;
     kept_look_ = look;
     kept_.begin(canvas.width(), canvas.height());
@@ -160,11 +166,23 @@ void TablePainter::draw_table(const Program& program, const TableLook& look, con
     field_shader_.set("backdrop", look.backdrop, 1);
     field_shader_.set("rim", look.rim, 1);
     field_shader_.set("mover", 0);
+    set_underlay_look(look.underlay);
     gl_.Disable(GL_BLEND);
     quads_.clear();
     const double w = canvas.size.x(), h = canvas.size.y();
     quads_.add({{0, h}, {w, h}, {w, 0}, {0, 0}}, {0, 1}, {1, 0});  // texture row 0 is the top
     quads_.draw();
+}
+
+void TablePainter::set_underlay_look(const UnderlayLook& underlay) const {
+    constexpr int unit = 2;
+    field_shader_.set("underlay", unit);
+    underlay_.bind(unit);
+    field_shader_.set("underlay_corner", underlay.corner);
+    field_shader_.set("underlay_size", underlay.size);
+    field_shader_.set("underlay_turns", underlay.quarter_turns);
+    field_shader_.set("underlay_opacity", underlay.opacity);
+    field_shader_.set("underlay_over", underlay.over ? 1 : 0);
 }
 
 void TablePainter::draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas) {

@@ -23,12 +23,22 @@ struct MoverPlace {
     Similarity world_from_mover;
 };
 
+/// The picture beneath the table.
+struct UnderlayLook {
+    Vec2 corner{0, 0}, size{1, 1};  ///< world: the lower left one, metres
+    int quarter_turns = 0;          ///< to the left
+    double opacity = 0;             ///< 0: there is none
+    bool over = false;              ///< it lies over the table, too
+    bool operator==(const UnderlayLook&) const = default;
+};
+
 struct TableLook {
     bool isolines = false;
     std::vector<Rgb> materials;        ///< parallel to Program::materials
     Rgb floor_low, floor_high, backdrop;
     Rgb rim{0.110f, 0.118f, 0.138f};  ///< the frame around the table
     double shadow = 1;                ///< how strong shadows are
+    UnderlayLook underlay{};          ///< of the picture set last
     bool operator==(const TableLook&) const = default;
 };
 
@@ -36,6 +46,8 @@ class TablePainter {
 public:
     explicit TablePainter(const Gl& gl);
 
+    /// The picture beneath the table from now on: rows from the top, four bytes a pixel.
+    void set_underlay(int width, int height, const unsigned char* rgba);
     /// `places`: parallel to Program::movers. Rasters and shades again only what changed since the last call. Sets the viewport.
     void draw(const ProgramPtr& program, std::span<const MoverPlace> places, std::span<const BallMark> balls,
               const TableLook& look, const Canvas& canvas);
@@ -52,6 +64,7 @@ private:
     /// Into the kept picture, as far as it looks different from what that shows.
     void keep_table(const Program& program, PixelBox changed, const TableLook& look, const Canvas& canvas);
     void draw_table(const Program& program, const TableLook& look, const Canvas& canvas);
+    void set_underlay_look(const UnderlayLook& underlay) const;
     void draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas);
     void draw_balls(std::span<const BallMark> balls, const Canvas& canvas);
     void prepare(const TableLook& look, const Canvas& canvas, const FieldTexture& texture, double metres_per_texel,
@@ -61,6 +74,8 @@ private:
     ShaderProgram field_shader_, ball_shader_;
     QuadBuffer quads_;
     FieldTexture table_;
+    PictureTexture underlay_;
+    bool underlay_is_new_ = false;
     KeptPicture kept_;  ///< the table without movers and balls
     TableLook kept_look_;
     Raster raster_;

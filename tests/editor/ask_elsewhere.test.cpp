@@ -59,8 +59,9 @@ struct Told {
     std::string at{}, asked{};
 
     void frame(AppState& state) {
-        const PathAsker asker{[&](bool saving, const std::string& place) { return ++opened, saves = saving, at = place, there; },
-                              [&] { return std::exchange(answer, {}); }, [&] { ++closed; }};
+        const PathAsker asker{
+            [&](const PathQuestion& question, const std::string& place) { return ++opened, saves = question.saves, at = place, there; },
+            [&] { return std::exchange(answer, {}); }, [&] { ++closed; }};
         ask_elsewhere(state, asker, asked);
     }
 };
@@ -73,12 +74,13 @@ TEST_CASE("the desktop's dialog is found on the path, asked for tables, and give
     CHECK(program_called("no-such-program").empty());
     NativeDialog dialog;
     CHECK(dialog.poll() == NativeDialog::State::none);
-    REQUIRE(dialog.open(true, "/tables/pen.yaml"));
+    REQUIRE(dialog.open({"Save the table as", "Tables", "*.yaml *.yml", true}, "/tables/pen.yaml"));
     REQUIRE(answer_of(dialog) == NativeDialog::State::chosen);
     CHECK(dialog.path() == "/tables/my pen.yaml");
     CHECK(dialog.poll() == NativeDialog::State::none);
     const std::string asked = desktop.folder().read("asked");
-    for (const char* word : {"--file-selection\n", "--save\n", "--filename=/tables/pen.yaml\n", "*.yaml"})
+    for (const char* word : {"--file-selection\n", "--save\n", "--filename=/tables/pen.yaml\n", "--title=Save the table as\n",
+                             "--file-filter=Tables | *.yaml *.yml\n"})
         CHECK_THAT(asked, Catch::Contains(word));
 }
 
@@ -86,19 +88,19 @@ TEST_CASE("a cancelled dialog, one that fails and one that is closed give no pat
     {
         const Desktop desktop("exit 1\n");
         NativeDialog dialog;
-        REQUIRE(dialog.open(false, ""));
+        REQUIRE(dialog.open({"Open a table", "Tables", "*.yaml"}, ""));
         CHECK(answer_of(dialog) == NativeDialog::State::cancelled);
     }
     {
         const Desktop desktop("exit 255\n");
         NativeDialog dialog;
-        REQUIRE(dialog.open(false, ""));
+        REQUIRE(dialog.open({"Open a table", "Tables", "*.yaml"}, ""));
         CHECK(answer_of(dialog) == NativeDialog::State::failed);
     }
     {
         const Desktop desktop("exec sleep 1000\n");
         NativeDialog dialog;
-        REQUIRE(dialog.open(false, ""));
+        REQUIRE(dialog.open({"Open a table", "Tables", "*.yaml"}, ""));
         CHECK(dialog.poll() == NativeDialog::State::waiting);
         dialog.close();
         CHECK(dialog.poll() == NativeDialog::State::none);

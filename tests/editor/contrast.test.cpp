@@ -8,7 +8,9 @@
 #include <map>
 #include <set>
 
+#include "editor/lay_under.h"
 #include "engine/core/at.h"
+#include "engine/io/png.h"
 #include "tests/editor/screen.h"
 #include "tests/editor/support.h"
 
@@ -238,11 +240,19 @@ TEST_CASE("all words of both themes can be read: menus and dialogs") {
             look.click(menu);
             look.judge_hovering(menu);
         }
-        for (const char* action : {"file.new", "file.open", "file.save_as", "edit.preferences", "help.keys", "view.command_palette"}) {
+        for (const char* action :
+             {"file.new", "file.open", "file.save_as", "underlay.open", "edit.preferences", "help.keys", "view.command_palette"}) {
             Look look(theme);
             run(look.state(), action);
             for (int i = 0; i < 5; ++i) look.frame();
             look.judge_hovering(action);
+        }
+        {
+            Look look(theme);
+            REQUIRE(write_png(look.folder().file("photo.png"), 2, 2, std::vector<unsigned char>(12, 128)));
+            REQUIRE(lay_under(look.state(), look.folder().file("photo.png")));
+            for (int i = 0; i < 3; ++i) look.frame();
+            look.judge_hovering("the underlay");
         }
         Look look(theme);
         edit(look.state(), change(look.state().document, "pop", "radius", 0.03), "Change radius of pop");

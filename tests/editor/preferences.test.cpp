@@ -93,7 +93,7 @@ TEST_CASE("lines that are not understood are complained about and stay, with com
 }
 
 TEST_CASE("whatever the file holds, what is changed is read back and every other line stays") {
-    rc::check([] {
+    CHECK(rc::check([] {
         const auto line =
             rc::gen::element<std::string>("theme: light", "theme: dark", "theme:", "theme", "font_size: 12 # x", "font_size:", "grid: off",
                                           "grid: -1mm", "left_width: 9e99", "left_width: 400", "# theme: light", "", "  ", "future: {a: b}",
@@ -123,7 +123,7 @@ TEST_CASE("whatever the file holds, what is changed is read back and every other
         RC_ASSERT(gone <= changed * lines.size());
         for (const std::string kept : {"# theme: light", "future: {a: b}", ": 3", "\xff\xfe:1", "theme"})
             RC_ASSERT(new_lines.count(kept) == old_lines.count(kept));
-    });
+    }));
 }
 
 TEST_CASE("a file that is no text, too large or a folder is left alone, and the editor works on") {

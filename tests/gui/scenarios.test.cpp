@@ -1,5 +1,5 @@
-// Scenarios: one thing each that an author does in the real window, with mouse and keys. A script in scenarios/<family>/<name>.yaml works on
-// scenarios/workshop.yaml and saves; what the file is then differs from what it was by just the lines of <name>.diff. No .diff: by none.
+// Scenarios: one thing each that an author does in the real window, with mouse and keys. A script in scenarios/<family>/<name>.yaml works
+// on scenarios/workshop.yaml and saves; what the file is then differs from what it was by just the lines of <name>.diff. No .diff: by none.
 // PINFIELD_SCENARIOS=<folder> keeps the pictures and the differences found there, to be looked at.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -23,8 +23,8 @@ std::vector<fs::path> scripts_of(const std::string& family) {
 
 /// Lines that went ("-...") and came ("+...").
 std::string difference(const Workplace& place) {
-    run_command(place, "diff --unchanged-line-format= --old-line-format='-%L' --new-line-format='+%L' '" + (scenarios() / "workshop.yaml").string() +
-                           "' table.yaml > found.diff; true");
+    run_command(place, "diff --unchanged-line-format= --old-line-format='-%L' --new-line-format='+%L' '" +
+                           (scenarios() / "workshop.yaml").string() + "' table.yaml > found.diff; true");
     return read(place.in("found.diff"));
 }
 
@@ -71,4 +71,5 @@ TEST_CASE("scenarios: nodes are cut, copied and pasted as text") { play("clipboa
 TEST_CASE("scenarios: values are typed, chosen and taken back in the inspector") { play("inspector"); }
 TEST_CASE("scenarios: rows of the tree are renamed, found and dragged") { play("tree"); }
 TEST_CASE("scenarios: the text itself is edited") { play("source"); }
+TEST_CASE("scenarios: a picture is laid under the table and brought to size") { play("underlay"); }
 TEST_CASE("scenarios: steps are undone, redone and gone to, and commands found") { play("history"); }
