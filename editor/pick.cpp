@@ -44,7 +44,8 @@ std::vector<Hit> sorted(std::vector<Candidate> found) {
     std::stable_sort(found.begin(), found.end());
     std::vector<Hit> out;
     for (const Candidate& candidate : found)
-        if (std::none_of(out.begin(), out.end(), [&](const Hit& hit) { return hit.node == candidate.hit.node; })) out.push_back(candidate.hit);
+        if (std::none_of(out.begin(), out.end(), [&](const Hit& hit) { return hit.node == candidate.hit.node; }))
+            out.push_back(candidate.hit);
     return out;
 }
 
@@ -93,7 +94,8 @@ public:
             Eigen::Matrix2d local;
             local << warped.from_x, warped.from_y;
             const Similarity field_from_local = op.local_from_field.inverse();
-            return visit_children(op, field_from_local * warped.point, linear(field_from_local) * local * linear(op.local_from_field) * seen_from_hand);
+            return visit_children(op, field_from_local * warped.point,
+                                  linear(field_from_local) * local * linear(op.local_from_field) * seen_from_hand);
         }
         if (op.kernels->form != sdf::Form::images) return visit_children(op, p, seen_from_hand);
         for (int i = 0; i < op.image_count; ++i) {
@@ -230,7 +232,8 @@ std::vector<Box2> boxes_beside(const AppState& state, const std::vector<NodeId>&
                 out.push_back(world_from_field * solid.bounds);
     };
     offer(program.fixed, {});
-    for (std::size_t i = 0; i < program.movers.size(); ++i) offer(program.movers[i].field, state.session.world_from_mover(static_cast<int>(i)));
+    for (std::size_t i = 0; i < program.movers.size(); ++i)
+        offer(program.movers[i].field, state.session.world_from_mover(static_cast<int>(i)));
     for (const Sensor& sensor : program.sensors) offer(sensor.field, {});
     return out;
 }
@@ -249,7 +252,8 @@ std::vector<Box2> mirror_axes(const AppState& state, const std::vector<NodeId>& 
             for (const int axis : {0, 1}) {
                 Vec2 along(0, 0), across(0, 0);
                 across[axis] = along[1 - axis] = 1;
-                const bool reflects = image.mirrored && image.scale == 1 && length(image.direction(across) + across) < 1e-9 && length(image.direction(along) - along) < 1e-9;
+                const bool reflects = image.mirrored && image.scale == 1 && length(image.direction(across) + across) < 1e-9 &&
+                                      length(image.direction(along) - along) < 1e-9;
                 if (!reflects || std::fabs(moved[1 - axis]) > 1e-9) continue;
                 Box2 line{{0, 0}, program.size};
                 line.lo[axis] = line.hi[axis] = 0.5 * moved[axis];

@@ -27,10 +27,17 @@ bool all_identical(const std::vector<Value>& a, const std::vector<Value>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Value& x, const Value& y) { return identical(x, y); });
 }
 
-ImVec2 on_screen(const AppState& state, const Similarity& world_from_node, const Vec2& at) {
-    const Vec2 pixel = state.view.pixel_from_world(world_from_node * at);
+ImVec2 on_screen(const AppState& state, const Vec2& world) {
+    const Vec2 pixel = state.view.pixel_from_world(world);
     return {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
 }
+
+/// A handle and where it is seen.
+struct SeenHandle {
+    const Handle& handle;
+    Vec2 world;
+    Vec2 node_world;  ///< the node's own place
+};
 
 void draw_square(ImDrawList& list, ImVec2 c, float r, ImU32 fill, ImU32 edge, float width) {
     list.AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, fill, 1.5f);
@@ -45,15 +52,14 @@ void draw_arrow(ImDrawList& list, ImVec2 from, ImVec2 to, ImU32 color, float wid
                            {to.x - 2 * s * ux + s * uy, to.y - 2 * s * uy - s * ux}, color);
 }
 
-void draw_handle(const AppState& state, const Theme& theme, ImDrawList& list, const Similarity& world_from_node, const Handle& handle,
-                 bool hot, bool chosen) {
-    const ImVec2 c = on_screen(state, world_from_node, handle.at);
+void draw_handle(const AppState& state, const Theme& theme, ImDrawList& list, const SeenHandle& seen, bool hot, bool chosen) {
+    const ImVec2 c = on_screen(state, seen.world);
     const float width = std::max(1.0f, theme.px(1.5f)), r = theme.px(hot ? 5 : 4);
     const ImU32 fill = ink(hot || chosen ? palette::accent : palette::bar), edge = ink(hot && chosen ? palette::text : palette::accent);
-    switch (handle.kind) {
+    switch (seen.handle.kind) {
         case HandleKind::place: draw_square(list, c, r, fill, edge, width); break;
         case HandleKind::velocity:
-            draw_arrow(list, on_screen(state, world_from_node, {0, 0}), c, ink(hot ? palette::accent : palette::teal), width);
+            draw_arrow(list, on_screen(state, seen.node_world), c, ink(hot ? palette::accent : palette::teal), width);
             list.AddCircleFilled(c, 0.8f * r, fill);
             list.AddCircle(c, 0.8f * r, edge, 0, width);
             break;
@@ -96,6 +102,14 @@ bool is_too_small(const AppState& state, NodeId node) {
     return box.is_finite() && box.size().maxCoeff() * state.view.pixels_per_metre < least_pixels;
 }
 
+/// The handles go to the copy under the mouse, unless it is at one of those that are seen.
+void follow_mouse(const AppState& state, Ui& ui) {
+    if (!ui.viewport_hovered || handle_under_mouse(state, ui) >= 0) return;
+    const Vec2 mouse = state.view.world_from_pixel(ui.mouse);
+    if (auto copy = copy_at(state, ui.handles.node, mouse, grip_pixels * ui.theme.scale / state.view.pixels_per_metre))
+        ui.handles.copy = std::move(*copy);
+}
+
 }  // namespace
 
 void look_for_handles(const AppState& state, Ui& ui) {
@@ -108,20 +122,26 @@ void look_for_handles(const AppState& state, Ui& ui) {
         return;
     }
     std::vector<Value> values = values_of(scene, node->id);
-    if (shown.node == node->id && all_identical(values, shown.values)) return;
-    shown = {node->id, std::move(values), handles_of(scene, node->id)};
+    if (shown.node != node->id) shown.copy = {};
+    if (shown.node != node->id || !all_identical(values, shown.values))
+        shown = {node->id, std::move(values), handles_of(scene, node->id), shown.copy};
+    if (!ui.handle_drag.active()) follow_mouse(state, ui);
 }
 
 int handle_under_mouse(const AppState& state, const Ui& ui) {
     if (!state.document.scene().find(ui.handles.node) || is_too_small(state, ui.handles.node)) return -1;
-    const Similarity world_from_node = shown_from_local(state, ui.handles.node);
+    const Showing showing(state, ui.handles.node, ui.handles.copy);
     int best = -1;
     // Nearer to the middle of the node the hand means the node: a small one could not be moved otherwise.
     double nearest = grip_pixels * ui.theme.scale;
     const Box2 box = bounds_of(state, ui.handles.node);
-    if (box.is_finite()) nearest = std::min(nearest, length(state.view.pixel_from_world(box.centre()) - ui.mouse) + 1e-3);
+    const auto pixels_to = [&](const std::optional<Vec2>& world) {
+        return world ? length(state.view.pixel_from_world(*world) - ui.mouse) : infinity;
+    };
+    const Similarity node_from_world = shown_from_local(state, ui.handles.node).inverse();
+    if (box.is_finite()) nearest = std::min(nearest, pixels_to(showing.world_from_local(node_from_world * box.centre())) + 1e-3);
     for (std::size_t i = 0; i < ui.handles.all.size(); ++i) {
-        const double distance = length(state.view.pixel_from_world(world_from_node * ui.handles.all[i].at) - ui.mouse);
+        const double distance = pixels_to(showing.world_from_local(ui.handles.all[i].at));
         if (distance >= nearest) continue;
         nearest = distance;
         best = static_cast<int>(i);
@@ -136,20 +156,21 @@ bool press_handle(AppState& state, Ui& ui) {
     state.point.reset();
     if (handle.kind == HandleKind::place) state.point = PickedPoint{ui.handles.node, handle.field, handle.component};
     return ui.handle_drag.begin(state.document, ui.handles.node, handle,
-                                shown_from_local(state, ui.handles.node).inverse() * ui.mouse_world);
+                                Showing(state, ui.handles.node, ui.handles.copy).local_from_world(ui.mouse_world));
 }
 
 void drag_handle(AppState& state, Ui& ui) {
     const NodeId node = ui.handle_drag.node();
     if (!state.document.scene().find(node)) return;
-    const Vec2 p = shown_from_local(state, node).inverse() * ui.mouse_world;
+    const Vec2 p = Showing(state, node, ui.handles.copy).local_from_world(ui.mouse_world);
     tell(state, ui.handle_drag.update(state.document, p, ImGui::GetIO().KeyCtrl ? 0 : state.preferences.grid));
 }
 
 void draw_handles(const AppState& state, const Ui& ui, ImDrawList& list) {
     const Node* node = state.document.scene().find(ui.handles.node);
     if (!node || ui.handles.all.empty()) return;
-    const Similarity world_from_node = shown_from_local(state, node->id);
+    const Showing showing(state, node->id, ui.handles.copy);
+    const std::optional<Vec2> node_world = showing.world_from_local({0, 0});
     if (is_too_small(state, node->id)) return;
     const bool dragging = ui.handle_drag.active();
     const int hot = ui.viewport_hovered && !dragging ? handle_under_mouse(state, ui) : -1;
@@ -163,10 +184,11 @@ void draw_handles(const AppState& state, const Ui& ui, ImDrawList& list) {
         const bool chosen = state.point && state.point->field == handle.field && state.point->component == handle.component &&
                             handle.kind == HandleKind::place;
         const bool lit = is_dragged(handle) || static_cast<int>(i) == hot;
-        if (dragging && !lit && handle.kind == HandleKind::gap) continue;
-        draw_handle(state, ui.theme, list, world_from_node, handle, lit, chosen);
+        const std::optional<Vec2> world = showing.world_from_local(handle.at);
+        if (!world || (dragging && !lit && handle.kind == HandleKind::gap)) continue;
+        draw_handle(state, ui.theme, list, {handle, *world, node_world.value_or(*world)}, lit, chosen);
         if (!lit) continue;
-        const ImVec2 beside = on_screen(state, world_from_node, handle.at);
+        const ImVec2 beside = on_screen(state, *world);
         const auto& why = ui.handle_drag.stopped_by();
         draw_words(ui.theme, list, beside, dragging && why ? words_for(*node, handle) + "    " + *why : words_for(*node, handle),
                    dragging && why ? palette::amber : palette::text);

@@ -14,6 +14,7 @@
 #include "editor/pick.h"
 #include "editor/picture.h"
 #include "editor/scrub.h"
+#include "editor/showing.h"
 #include "editor/snap.h"
 #include "editor/text_cursor.h"
 #include "editor/theme/theme.h"
@@ -62,6 +63,7 @@ struct Handles {
     NodeId node{};
     std::vector<Value> values{};
     std::vector<Handle> all{};
+    Copy copy{};  ///< at which they are seen: the one under the mouse last
 };
 
 /// What can be added, as pictures.
