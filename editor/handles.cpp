@@ -186,6 +186,15 @@ std::vector<Handle> handles_of(const Scene& scene, NodeId id) {
     return out;
 }
 
+namespace {
+
+double share_of_step(const Vec2& grid) {
+    if (grid == Vec2(0, 0)) return 1e-2;
+    return grid.minCoeff() == exact_grid ? 1e-6 : 1;
+}
+
+}  // namespace
+
 bool HandleDrag::begin(const Document& document, NodeId id, const Handle& handle, const Vec2& p) {
     const Node* node = document.scene().find(id);
     if (active() || !node || is_locked(document.scene(), *node)) return false;
@@ -198,15 +207,15 @@ bool HandleDrag::begin(const Document& document, NodeId id, const Handle& handle
     return true;
 }
 
-std::optional<std::string> HandleDrag::update(Document& document, const Vec2& p, double grid) {
+std::optional<std::string> HandleDrag::update(Document& document, const Vec2& p, const Vec2& grid) {
     if (!active() || !document.scene().find(node_)) return {};
     const Vec2 hand = p - hold_;
     if (!document.previewing() && length(hand - handle_.at) < 1e-9) return {};  // a click is no drag
-    const Value value = handle_.kind == HandleKind::outline ? number_through(hand, grid == 0) : moved_places(hand, grid);
+    const Value value = handle_.kind == HandleKind::outline ? number_through(hand, share_of_step(grid)) : moved_places(hand, grid);
     return document.preview({node_, handle_.field, value, true});
 }
 
-Value HandleDrag::moved_places(const Vec2& hand, double grid) const {
+Value HandleDrag::moved_places(const Vec2& hand, const Vec2& grid) const {
     const double scale = handle_.kind == HandleKind::velocity ? 1 / seconds_of_velocity : 1;
     Value value = before_;
     if (handle_.kind == HandleKind::gap) {
@@ -215,12 +224,13 @@ Value HandleDrag::moved_places(const Vec2& hand, double grid) const {
     }
     const int first = handle_.component + (handle_.kind == HandleKind::gap ? 2 : 0);
     for (const int axis : {0, 1})
-        if (hand[axis] != handle_.at[axis]) value = with_component(value, first + axis, on_grid(scale * hand[axis], scale * grid));
+        if (hand[axis] != handle_.at[axis]) value = with_component(value, first + axis, on_grid(scale * hand[axis], scale * grid[axis]));
     return value;
 }
 
-/// Newton's steps on the distance at the hand as a function of the number: a straight line for nearly every field.
-Value HandleDrag::number_through(const Vec2& hand, bool fine) {
+/// Newton's steps on the distance at the hand as a function of the number: a straight line for nearly every field. `share`: of the step
+/// that numbers of this kind take.
+Value HandleDrag::number_through(const Vec2& hand, double share) {
     const FieldType& field = at(alone_->node().type->fields, handle_.field);
     const auto with = [&](double x) { return with_component(before_, handle_.component, x); };
     const double start = component(before_, handle_.component), little = little_of(field.meta.unit, start);
@@ -234,7 +244,7 @@ Value HandleDrag::number_through(const Vec2& hand, bool fine) {
         if (off < 1e-7) break;
         x -= d / slope;
     }
-    const double step = fine ? 1e-2 * scrub_step(field, start) : scrub_step(field, start);
+    const double step = share * scrub_step(field, start);
     const double target = on_grid(x, step);
     stopped_by_ = alone_->why_not(handle_.field, with(target));
     if (!stopped_by_ && off > off_the_hand) stopped_by_ = "the outline does not come to here";

@@ -33,19 +33,22 @@ public:
     bool active() const { return static_cast<bool>(node_); }
     NodeId node() const { return node_; }
     const Handle& handle() const { return handle_; }
+    /// From the handle to where the hand took hold of it, in the node's frame.
+    const Vec2& hold() const { return hold_; }
     /// `p`: where the hand took hold, in the node's frame. A gap becomes the point that is put there.
     bool begin(const Document& document, NodeId node, const Handle& handle, const Vec2& p);
     /// The place follows the hand; the number becomes that at which the outline goes through the hand, as near as the field and the node's
-    /// contract allow. `grid`: of places, metres, 0 for none, and then numbers too take any value.
-    std::optional<std::string> update(Document& document, const Vec2& p, double grid);
+    /// contract allow. `grid`: of places along the node's axes, metres. 0: none, and then numbers too take any value; exact_grid: the
+    /// place, or the number, is just that which the hand is at.
+    std::optional<std::string> update(Document& document, const Vec2& p, const Vec2& grid);
     std::optional<std::string> end(Document& document);
     void cancel(Document& document);
     /// What keeps the number from following the hand ("inner <= outer must hold"), or nothing.
     const std::optional<std::string>& stopped_by() const { return stopped_by_; }
 
 private:
-    Value moved_places(const Vec2& hand, double grid) const;
-    Value number_through(const Vec2& hand, bool fine);
+    Value moved_places(const Vec2& hand, const Vec2& grid) const;
+    Value number_through(const Vec2& hand, double share);
 
     NodeId node_;
     Handle handle_;

@@ -33,7 +33,10 @@ bool nearest_line(const Box2& moved, std::span<const Box2> others, int axis, dou
 }
 
 void add_lines(const Box2& moved, std::span<const Box2> others, int axis, std::vector<SnapLine>& out) {
-    for (const double here : lines_of(moved, axis)) {
+    const std::array<double, 3> lines = lines_of(moved, axis);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const double here = lines[i];
+        if (i > 0 && here == lines[i - 1]) continue;  // of what has no extent all three are one
         double lo = infinity, hi = -infinity;
         for (const Box2& other : others)
             for (const double there : lines_of(other, axis))
@@ -105,12 +108,14 @@ std::optional<EqualGaps> equal_gaps(const Box2& moved, std::span<const Box2> oth
 
 }  // namespace
 
-Snap snap(const Box2& moved, std::span<const Box2> others, double reach) {
+Snap snap(const Box2& moved, std::span<const Box2> others, double reach, const SnapWish& wish) {
     Snap out;
     if (moved.is_empty() || !moved.is_finite()) return out;
     std::optional<EqualGaps> gaps[2];
     for (const int axis : {0, 1}) {
+        if (!wish.along[axis]) continue;
         out.axis[axis] = nearest_line(moved, others, axis, reach, out.push[axis]);
+        if (!wish.gaps) continue;
         gaps[axis] = equal_gaps(moved, others, axis, out.axis[axis] ? std::max(0.0, std::fabs(out.push[axis]) - same) : reach);
         if (!gaps[axis]) continue;
         out.axis[axis] = true;

@@ -21,11 +21,17 @@ struct Snap {
     std::vector<SnapLine> lines;    ///< for the box after the push
 };
 
+/// What snapping is to look for.
+struct SnapWish {
+    bool along[2] = {true, true};  ///< pushes along x and along y
+    bool gaps = true;              ///< equal ones, too
+};
+
 /// `moved`: the box of what is moved, where the hand wants it. In each axis the least push within `reach` is taken that brings one of its
 /// edges or its middle in line with one of `others`, or that makes two gaps equal: of `moved` to its neighbours on both sides, or to a
 /// neighbour and that one's to the next beyond. Neighbours share some of their extent along the other axis with `moved` and with each
 /// other, and nothing of that row begins or ends between them. Of equal pushes, lines come before gaps, and of lines those to what is
 /// nearest.
-Snap snap(const Box2& moved, std::span<const Box2> others, double reach);
+Snap snap(const Box2& moved, std::span<const Box2> others, double reach, const SnapWish& wish = {});
 
 }  // namespace pinfield::editor

@@ -14,7 +14,7 @@
 namespace pinfield::editor {
 namespace {
 
-constexpr double snap_pixels = 7;
+constexpr double measure_snap_pixels = 7;
 
 ImVec2 im(const Vec2& v) { return {static_cast<float>(v.x()), static_cast<float>(v.y())}; }
 
@@ -23,7 +23,8 @@ std::string millimetres(double metres) { return to_text(1000 * metres, std::fabs
 /// Where the hand is: on what is there, unless Ctrl is held.
 Vec2 place_under(const AppState& state, const Ui& ui) {
     const bool free = ImGui::GetIO().KeyCtrl;
-    return measured_place(state, ui.mouse_world, free ? 0 : snap_pixels / state.view.pixels_per_metre, free ? 0 : state.preferences.grid);
+    return measured_place(state, ui.mouse_world, free ? 0 : measure_snap_pixels / state.view.pixels_per_metre,
+                          free ? 0 : state.preferences.grid);
 }
 
 void draw_end(ImDrawList& list, const Theme& theme, ImVec2 c, ImU32 color) {

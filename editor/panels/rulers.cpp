@@ -14,7 +14,6 @@ namespace {
 
 constexpr float ruler_height = 20, ruler_width = 38;  // design pixels
 constexpr double reach_pixels = 4;
-constexpr double snap_pixels = 5;
 
 float coordinate(ImVec2 v, int axis) { return axis == 0 ? v.x : v.y; }
 ImVec2 with_axes(int axis, float along, float across) { return axis == 0 ? ImVec2(along, across) : ImVec2(across, along); }

@@ -110,6 +110,34 @@ void follow_mouse(const AppState& state, Ui& ui) {
         ui.handles.copy = std::move(*copy);
 }
 
+/// Along which axes of the world a handle may be pushed: a place along both, an outline along the one that it faces.
+SnapWish wish_for(const Showing& showing, const Handle& handle) {
+    SnapWish wish{{true, true}, false};
+    if (handle.kind == HandleKind::velocity) wish.along[0] = wish.along[1] = false;
+    if (handle.kind != HandleKind::outline) return wish;
+    constexpr double little = 1e-5, straight = 1e-3;  // metres; of a unit
+    const auto here = showing.world_from_local(handle.at), there = showing.world_from_local(handle.at + little * handle.normal);
+    for (const int axis : {0, 1})
+        wish.along[axis] = here && there && std::fabs((*there - *here)[1 - axis]) < straight * length(*there - *here);
+    return wish;
+}
+
+/// The hand goes to where the handle is in line with something near by, and the lines say with what.
+void snap_handle(const AppState& state, Ui& ui, const Showing& showing, Vec2& p, Vec2& grid) {
+    const HandleDrag& drag = ui.handle_drag;
+    const auto wanted = showing.world_from_local(p - drag.hold());
+    if (!wanted) return;
+    Snap held = snap({*wanted, *wanted}, ui.magnets.others, snap_pixels / state.view.pixels_per_metre, wish_for(showing, drag.handle()));
+    if (!held.axis[0] && !held.axis[1]) return;
+    p = showing.local_from_world(*wanted + held.push) + drag.hold();
+    // Where the node stands straight the other coordinate keeps to the grid.
+    const Vec2 across = showing.local_from_world(*wanted + Vec2(1e-3, 0)) - showing.local_from_world(*wanted);
+    const bool straight = std::fabs(across.y()) < 1e-9, upright = std::fabs(across.x()) < 1e-9;
+    for (const int axis : {0, 1})
+        if (held.axis[upright ? 1 - axis : axis] || !(straight || upright)) grid[axis] = exact_grid;
+    ui.magnets.lines = std::move(held.lines);
+}
+
 }  // namespace
 
 void look_for_handles(const AppState& state, Ui& ui) {
@@ -155,15 +183,23 @@ bool press_handle(AppState& state, Ui& ui) {
     const Handle handle = at(ui.handles.all, index);
     state.point.reset();
     if (handle.kind == HandleKind::place) state.point = PickedPoint{ui.handles.node, handle.field, handle.component};
-    return ui.handle_drag.begin(state.document, ui.handles.node, handle,
-                                Showing(state, ui.handles.node, ui.handles.copy).local_from_world(ui.mouse_world));
+    const Showing showing(state, ui.handles.node, ui.handles.copy);
+    ui.magnets = {{}, magnets_for(state, {ui.handles.node}), {}};
+    for (const Handle& other : ui.handles.all)  // points of a list come in line with each other, too
+        if (other.kind == HandleKind::place && other.field == handle.field && other.component != handle.component)
+            if (const auto world = showing.world_from_local(other.at)) ui.magnets.others.push_back({*world, *world});
+    return ui.handle_drag.begin(state.document, ui.handles.node, handle, showing.local_from_world(ui.mouse_world));
 }
 
 void drag_handle(AppState& state, Ui& ui) {
     const NodeId node = ui.handle_drag.node();
     if (!state.document.scene().find(node)) return;
-    const Vec2 p = Showing(state, node, ui.handles.copy).local_from_world(ui.mouse_world);
-    tell(state, ui.handle_drag.update(state.document, p, ImGui::GetIO().KeyCtrl ? 0 : state.preferences.grid));
+    const bool free = ImGui::GetIO().KeyCtrl;
+    const Showing showing(state, node, ui.handles.copy);
+    Vec2 p = showing.local_from_world(ui.mouse_world), grid = square_grid(free ? 0 : state.preferences.grid);
+    ui.magnets.lines.clear();
+    if (state.preferences.snapping && !free) snap_handle(state, ui, showing, p, grid);
+    tell(state, ui.handle_drag.update(state.document, p, grid));
 }
 
 void draw_handles(const AppState& state, const Ui& ui, ImDrawList& list) {

@@ -13,7 +13,6 @@ namespace pinfield::editor {
 namespace {
 
 constexpr double pick_slack_pixels = 4;
-constexpr double snap_pixels = 5;
 constexpr float drag_threshold = 3;
 
 double slack_of(const AppState& state) { return pick_slack_pixels / state.view.pixels_per_metre; }
@@ -94,10 +93,7 @@ void begin_drag(AppState& state, Ui& ui) {
         nodes.push_back(one.node);
         ui.magnets.box_before = ui.magnets.box_before.merged(bounds_of(state, one.node));
     }
-    ui.magnets.others = boxes_beside(state, nodes);
-    const auto add = [&](const std::vector<Box2>& lines) { ui.magnets.others.insert(ui.magnets.others.end(), lines.begin(), lines.end()); };
-    add(mirror_axes(state, nodes));
-    if (state.preferences.show_guides) add(boxes_of(state.aids.guides, state.session.program().size));
+    ui.magnets.others = magnets_for(state, nodes);
 }
 
 /// The nodes follow the hand, on the grid, or where edges and middles meet those of others.
@@ -205,6 +201,14 @@ void pan_and_zoom(AppState& state, Ui& ui) {
 }
 
 }  // namespace
+
+std::vector<Box2> magnets_for(const AppState& state, const std::vector<NodeId>& nodes) {
+    std::vector<Box2> boxes = boxes_beside(state, nodes);
+    const auto add = [&](const std::vector<Box2>& lines) { boxes.insert(boxes.end(), lines.begin(), lines.end()); };
+    add(mirror_axes(state, nodes));
+    if (state.preferences.show_guides) add(boxes_of(state.aids.guides, state.session.program().size));
+    return boxes;
+}
 
 void table_mouse(AppState& state, Ui& ui) {
     ui.viewport_hovered = ImGui::IsItemHovered();

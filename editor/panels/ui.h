@@ -226,6 +226,10 @@ void draw_picture(ImDrawList& list, const Picture& picture, ImVec2 place, ImVec2
 /// What is dragged out of the palette follows the mouse and is added where it is let go over the table.
 void carry_from_palette(AppState& state, Ui& ui);
 
+/// What nodes may come in line with: other nodes, axes of mirrors, guides.
+std::vector<Box2> magnets_for(const AppState& state, const std::vector<NodeId>& nodes);
+inline constexpr double snap_pixels = 5;
+
 // Handles of the selected node: found anew when it changed; under the mouse (-1: none); taken hold of; dragged; drawn.
 void look_for_handles(const AppState& state, Ui& ui);
 int handle_under_mouse(const AppState& state, const Ui& ui);

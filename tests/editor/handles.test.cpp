@@ -74,7 +74,7 @@ TEST_CASE("the outline of every node goes through the hand that drags its handle
                 HandleDrag drag;
                 REQUIRE(drag.begin(state.document, id, handle, handle.at));
                 const Vec2 hand = handle.at + way * handle.normal;
-                CHECK_FALSE(drag.update(state.document, hand, 0));
+                CHECK_FALSE(drag.update(state.document, hand, square_grid(0)));
                 const std::optional<LoneShape> shape = LoneNode(state.document.scene(), id).shape();
                 REQUIRE(shape);
                 INFO(way);
@@ -140,7 +140,7 @@ TEST_CASE("a handle's number stops where the contract ends, and says so") {
     const Handle handle = handle_named(handles_of(state.document.scene(), id), node, "inner");
     HandleDrag drag;
     REQUIRE(drag.begin(state.document, id, handle, handle.at));
-    CHECK_FALSE(drag.update(state.document, 4 * handle.at, default_grid));
+    CHECK_FALSE(drag.update(state.document, 4 * handle.at, square_grid(default_grid)));
     REQUIRE(drag.stopped_by());
     CHECK(drag.stopped_by()->find("inner <= outer") != std::string::npos);
     CHECK(value_now(state, id, handle) == Approx(0.05));
@@ -157,11 +157,11 @@ TEST_CASE("a place follows the hand on the grid; a click on it changes nothing")
     const Handle handle = handle_named(handles_of(state.document.scene(), id), *state.document.scene().find(id), "b");
     HandleDrag drag;
     REQUIRE(drag.begin(state.document, id, handle, handle.at + Vec2(1e-3, 0)));  // taken hold of a little beside
-    drag.update(state.document, handle.at + Vec2(1e-3, 0), default_grid);
+    drag.update(state.document, handle.at + Vec2(1e-3, 0), square_grid(default_grid));
     CHECK_FALSE(drag.end(state.document));
     CHECK(state.document.source().text() == before);
     REQUIRE(drag.begin(state.document, id, handle, handle.at + Vec2(1e-3, 0)));
-    drag.update(state.document, handle.at + Vec2(0.0123, 0.0044), default_grid);
+    drag.update(state.document, handle.at + Vec2(0.0123, 0.0044), square_grid(default_grid));
     CHECK_FALSE(drag.end(state.document));
     const Vec2 now = state.document.scene().find(id)->get<Vec2>("b");
     CHECK(now.x() == Approx(handle.at.x() + 0.011).margin(1e-9));
@@ -180,7 +180,7 @@ TEST_CASE(
     CHECK(length(gaps[2].at - Vec2(0, 0.05)) < 1e-9);
     HandleDrag drag;
     REQUIRE(drag.begin(state.document, id, gaps[1], gaps[1].at));
-    drag.update(state.document, gaps[1].at + Vec2(0.03, 0.03), default_grid);
+    drag.update(state.document, gaps[1].at + Vec2(0.03, 0.03), square_grid(default_grid));
     CHECK_FALSE(drag.end(state.document));
     const int field = *state.document.scene().find(id)->type->find_field("points");
     const auto points = [&] { return state.document.scene().find(id)->get<std::vector<Vec2>>("points"); };
@@ -201,7 +201,8 @@ TEST_CASE(
 
 TEST_CASE("what is locked, or lies in something locked, is not dragged by its handles") {
     const Folder folder;
-    for (const char* locks : {"group: {locked: true, children: [circle: {id: it}]}", "circle: {id: it, locked: true}", "group: {children: [circle: {id: it}]}"}) {
+    for (const char* locks : {"group: {locked: true, children: [circle: {id: it}]}", "circle: {id: it, locked: true}",
+                              "group: {children: [circle: {id: it}]}"}) {
         AppState state = table_with(folder, locks);
         const NodeId id = id_of(state.document, "it");
         HandleDrag drag;
@@ -232,7 +233,7 @@ TEST_CASE("the arrow of a velocity shows the way of a tenth of a second") {
     CHECK(length(handle.at - Vec2(0, 0.1)) < 1e-12);
     HandleDrag drag;
     REQUIRE(drag.begin(state.document, id, handle, handle.at));
-    drag.update(state.document, Vec2(0.2, 0.1), default_grid);
+    drag.update(state.document, Vec2(0.2, 0.1), square_grid(default_grid));
     CHECK_FALSE(drag.end(state.document));
     CHECK(length(state.document.scene().find(id)->get<Vec2>("velocity") - Vec2(2, 1)) < 1e-9);
 }
