@@ -89,15 +89,16 @@ void main() {
     vec2 towards_light = vec2(light.x, -light.y) / (texels * metres_per_texel);
     float shade = 0.52 * shadow * (1.0 - smoothstep(-0.0035, 0.0035, distance_at(at + 0.0075 * towards_light)));
 
+    vec2 world = world_corner + vec2(pixel.x, -pixel.y) / pixels_per_metre;
+    vec2 middle = 0.5 * table;
     if (mover == 1) {
         float alpha = max(cover, shade * 0.9);
         vec3 c = mix(vec3(0.0), solid_color(base, d, slope), cover);
-        color = vec4(c * cover, alpha);      // premultiplied
+        // What slides out of the table, such as a plunger that is drawn, goes under its frame.
+        float within = clamp(0.5 - rounded_box(world - middle, middle, 0.006) * pixels_per_metre, 0.0, 1.0);
+        color = within * vec4(c * cover, alpha);      // premultiplied
         return;
     }
-    vec2 world = world_corner + vec2(pixel.x, 0.0) / pixels_per_metre;
-    world.y = world_corner.y - pixel.y / pixels_per_metre;
-    vec2 middle = 0.5 * table;
     vec4 photo = underlay_at(world);
     if (isolines == 1) {
         // Beyond the table the field goes on for ever, but it is not what one looks at.

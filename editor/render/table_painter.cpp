@@ -69,7 +69,7 @@ void TablePainter::draw(const ProgramPtr& program, std::span<const MoverPlace> p
     keep_table(*program, changed, look, canvas);
     kept_.show(canvas.left(), canvas.bottom());
     gl_.Viewport(canvas.left(), canvas.bottom(), canvas.width(), canvas.height());
-    if (!look.isolines) draw_movers(places, look, canvas);
+    if (!look.isolines) draw_movers(*program, places, look, canvas);
     draw_balls(balls, canvas);
 }
 
@@ -185,7 +185,7 @@ void TablePainter::set_underlay_look(const UnderlayLook& underlay) const {
     field_shader_.set("underlay_over", underlay.over ? 1 : 0);
 }
 
-void TablePainter::draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas) {
+void TablePainter::draw_movers(const Program& program, std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas) {
     gl_.Enable(GL_BLEND);
     gl_.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     for (std::size_t i = 0; i < movers_.size() && i < places.size(); ++i) {
@@ -194,6 +194,8 @@ void TablePainter::draw_movers(std::span<const MoverPlace> places, const TableLo
         const double metres_per_texel = picture.window.size().x() / picture.texture->width();
         prepare(look, canvas, *picture.texture, metres_per_texel, world_from_mover.inverse().direction(world_light));
         field_shader_.set("mover", 1);
+        field_shader_.set("world_corner", Vec2(canvas.world().lo.x(), canvas.world().hi.y()));
+        field_shader_.set("table", program.size);
         Vec2 corners[4];
         corners_on_canvas(picture.window, world_from_mover, canvas, corners);
         quads_.clear();

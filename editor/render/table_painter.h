@@ -65,7 +65,7 @@ private:
     void keep_table(const Program& program, PixelBox changed, const TableLook& look, const Canvas& canvas);
     void draw_table(const Program& program, const TableLook& look, const Canvas& canvas);
     void set_underlay_look(const UnderlayLook& underlay) const;
-    void draw_movers(std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas);
+    void draw_movers(const Program& program, std::span<const MoverPlace> places, const TableLook& look, const Canvas& canvas);
     void draw_balls(std::span<const BallMark> balls, const Canvas& canvas);
     void prepare(const TableLook& look, const Canvas& canvas, const FieldTexture& texture, double metres_per_texel,
                  const Vec2& light) const;
