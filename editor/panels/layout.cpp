@@ -37,13 +37,16 @@ Problems problems_of(const AppState& state) {
 
 namespace {
 
+constexpr float least_tree = 160;  // design pixels
+
 /// Widths in screen pixels; 0: not shown.
 struct Columns {
     float left = 0, right = 0, source = 0;
     float widest = 0;  ///< that a panel at the side may be drawn, in design pixels
 };
 
-/// The table keeps a quarter of the window. Where that leaves no room for the source too, this takes the inspector's place, then the tree's.
+/// The table keeps a quarter of the window. Where that leaves no room for the source too, this takes the inspector's place, as both show
+/// what is selected; the tree grows narrower, and goes only where it could not be read.
 Columns columns_in(float width, const Preferences& preferences, const Theme& theme) {
     Columns columns;
     columns.widest = 0.4f * width / theme.scale;
@@ -53,7 +56,7 @@ Columns columns_in(float width, const Preferences& preferences, const Theme& the
     const float room = std::floor(width - std::max(width / 4, theme.px(240)));
     const float wanted = std::min(theme.px(preferences.source_width), room), least = std::min(theme.px(280), room);
     if (columns.left + columns.right + least > room) columns.right = 0;
-    if (columns.left + columns.right + least > room) columns.left = 0;
+    if (columns.left + columns.right + least > room) columns.left = room - least >= theme.px(least_tree) ? room - least : 0;
     columns.source = std::min(wanted, room - columns.left - columns.right);
     return columns;
 }
@@ -62,7 +65,8 @@ Columns columns_in(float width, const Preferences& preferences, const Theme& the
 void middle_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
     const Theme& theme = ui.theme;
     const float transport = theme.px(50);
-    const float bottom = ui.problems_open ? theme.px(std::min(state.preferences.problems_height, 0.5f * ImGui::GetIO().DisplaySize.y / theme.scale)) : 0;
+    const float bottom =
+        ui.problems_open ? theme.px(std::min(state.preferences.problems_height, 0.5f * ImGui::GetIO().DisplaySize.y / theme.scale)) : 0;
     const float view_height = std::max(size.y - transport - bottom - (bottom > 0 ? grip : 0), 40.0f);
     viewport_panel(state, ui, position, {size.x, view_height});
     transport_bar(state, ui, {position.x, position.y + view_height}, {size.x, transport});
@@ -95,12 +99,14 @@ void column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip, P
 
 /// The tree, and under it what can be added.
 void left_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
-    column(state, ui, position, size, grip, hierarchy_panel, {palette_panel, "##split_palette", state.preferences.palette_height, 120, state.preferences.show_palette});
+    column(state, ui, position, size, grip, hierarchy_panel,
+           {palette_panel, "##split_palette", state.preferences.palette_height, 120, state.preferences.show_palette});
 }
 
 /// What is selected, and under it what was done.
 void right_column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip) {
-    column(state, ui, position, size, grip, inspector_panel, {history_panel, "##split_history", state.preferences.history_height, 80, state.preferences.show_history});
+    column(state, ui, position, size, grip, inspector_panel,
+           {history_panel, "##split_history", state.preferences.history_height, 80, state.preferences.show_history});
 }
 
 /// Nobody types where nothing is seen.
@@ -145,13 +151,14 @@ void draw_panels(AppState& state, Ui& ui) {
     const float left = columns.left, right = columns.right, source = columns.source;
     const float height = window.y - top - status;
     const float middle_x = left + (left > 0 ? grip : 0), end_x = window.x - right - (right > 0 ? grip : 0);
-    const float source_x = end_x - source, middle_end = source_x - (source > 0 ? grip : 0), middle_width = std::max(middle_end - middle_x, 40.0f);
+    const float source_x = end_x - source, middle_end = source_x - (source > 0 ? grip : 0),
+                middle_width = std::max(middle_end - middle_x, 40.0f);
 
     middle_column(state, ui, {middle_x, top}, {middle_width, height}, grip);
     const float widest = columns.widest;
     if (left > 0) {
         left_column(state, ui, {0, top}, {left, height}, grip);
-        splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, state.preferences.left, 160, widest);
+        splitter("##split_left", {left, top}, {grip, height}, true, 1, theme.scale, state.preferences.left, least_tree, widest);
     }
     if (right > 0) {
         right_column(state, ui, {window.x - right, top}, {right, height}, grip);
@@ -159,7 +166,8 @@ void draw_panels(AppState& state, Ui& ui) {
     }
     if (source > 0) {  // after the tree: what is under the mouse there has its lines marked here
         source_panel(state, ui, {source_x, top}, {source, height});
-        splitter("##split_source", {middle_end, top}, {grip, height}, true, -1, theme.scale, state.preferences.source_width, 240, 2 * widest);
+        splitter("##split_source", {middle_end, top}, {grip, height}, true, -1, theme.scale, state.preferences.source_width, 240,
+                 2 * widest);
     } else {
         leave_source(state, ui);
     }
