@@ -149,20 +149,43 @@ void path_dialog(AppState& state, Ui& ui) {
     if (state.dialog_action.empty()) dialog = {};
 }
 
-void prompt_dialog(AppState& state, Ui& ui) {
-    if (!state.prompt) return;
+namespace {
+
+/// A dialog that asks one thing, and what its answers do.
+struct Question {
+    const char* id;
+    float width;  ///< design pixels
+    std::string title;
+    std::span<const Answer> answers;
+    int preferred = 0;
+    std::string_view on_escape{};
+};
+
+/// `is_open`: whether it still asks, once an answer has run; `body`: what stands under the title.
+template <class Body>
+void ask(AppState& state, Ui& ui, const Question& question, bool (*is_open)(const AppState&), Body body) {
     const Theme& theme = ui.theme;
-    if (!begin_modal(theme, "##prompt", 440)) return;
-    text_in(theme.large, palette::text, "Unsaved changes");
+    if (!begin_modal(theme, question.id, question.width)) return;
+    text_in(theme.large, palette::text, question.title);
     ImGui::PushTextWrapPos(0);
-    text_in(theme.body, palette::quiet, state.prompt->question + " Save them first?");
+    body(theme);
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0, theme.px(8)});
-    constexpr Answer answers[] = {{"Discard", "prompt.discard"}, {"Cancel", "prompt.cancel"}, {"Save", "prompt.save"}};
-    const std::string_view answer = answered(theme, answers, 2, ui.answer, "prompt.cancel");
+    const std::string_view answer = answered(theme, question.answers, question.preferred, ui.answer, question.on_escape);
     if (!answer.empty()) run(state, answer);
-    if (!state.prompt) ImGui::CloseCurrentPopup();
+    if (!is_open(state)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
+}
+
+}  // namespace
+
+void prompt_dialog(AppState& state, Ui& ui) {
+    if (!state.prompt) return;
+    constexpr Answer answers[] = {{"Discard", "prompt.discard"}, {"Cancel", "prompt.cancel"}, {"Save", "prompt.save"}};
+    ask(
+        state, ui, {"##prompt", 440, "Unsaved changes", answers, 2, "prompt.cancel"},
+        [](const AppState& s) { return s.prompt.has_value(); },
+        [&](const Theme& theme) { text_in(theme.body, palette::quiet, state.prompt->question + " Save them first?"); });
 }
 
 namespace {
@@ -209,41 +232,30 @@ void diff_list(const Theme& theme, const LineDiff& diff) {
 
 void recovery_dialog(AppState& state, Ui& ui) {
     if (!state.recovery || state.prompt || !state.dialog_action.empty()) return;
-    const Theme& theme = ui.theme;
     const Recovery& recovery = *state.recovery;
-    if (!begin_modal(theme, "##recovery", 620)) return;
-    text_in(theme.large, palette::text, "Unsaved work was found");
-    ImGui::PushTextWrapPos(0);
-    text_in(theme.body, palette::quiet, summary(recovery, seconds_since_1970()));
-    if (recovery.file_changed)
-        text_in(theme.body, palette::amber,
-                "The file has changed since: what it holds now would be replaced as below. Undo brings it back.");
-    if (recovery.file_gone) text_in(theme.body, palette::amber, "Its file is gone: " + recovery.orphan.work.table);
-    ImGui::PopTextWrapPos();
-    diff_list(theme, recovery.diff);
-    ImGui::Dummy({0, theme.px(4)});
     constexpr Answer answers[] = {{"Discard", "recover.discard"}, {"Later", "recover.later"}, {"Restore", "recover.restore"}};
-    const std::string_view answer = answered(theme, answers, recovery.file_changed ? 1 : 2, ui.answer, "recover.later");
-    if (!answer.empty()) run(state, answer);
-    if (!state.recovery) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    const Question question{"##recovery", 620, "Unsaved work was found", answers, recovery.file_changed ? 1 : 2, "recover.later"};
+    ask(state, ui, question, [](const AppState& s) { return s.recovery.has_value(); }, [&](const Theme& theme) {
+        text_in(theme.body, palette::quiet, summary(recovery, seconds_since_1970()));
+        if (recovery.file_changed)
+            text_in(theme.body, palette::amber,
+                    "The file has changed since: what it holds now would be replaced as below. Undo brings it back.");
+        if (recovery.file_gone) text_in(theme.body, palette::amber, "Its file is gone: " + recovery.orphan.work.table);
+        diff_list(theme, recovery.diff);
+    });
 }
 
 void shared_dialog(AppState& state, Ui& ui) {
     if (!state.shared || state.prompt || !state.dialog_action.empty()) return;
-    const Theme& theme = ui.theme;
-    if (!begin_modal(theme, "##shared", 460)) return;
     const SharedEdit edit = *state.shared;
-    text_in(theme.large, palette::text, "Shared by " + std::to_string(edit.places) + " places");
-    ImGui::PushTextWrapPos(0);
-    text_in(theme.body, palette::quiet, edit.label + ": the text stands at the anchor &" + edit.anchor + " and is used from there.");
-    ImGui::PopTextWrapPos();
-    ImGui::Dummy({0, theme.px(8)});
     constexpr Answer answers[] = {{"Cancel", "shared.cancel"}, {"Here only", "shared.here"}, {"All of them", "shared.everywhere"}};
-    const std::string_view answer = answered(theme, answers, 1, ui.answer, "shared.cancel");
-    if (!answer.empty()) run(state, answer);
-    if (!state.shared) ImGui::CloseCurrentPopup();
-    ImGui::EndPopup();
+    const std::string title = "Shared by " + std::to_string(edit.places) + " places";
+    ask(
+        state, ui, {"##shared", 460, title, answers, 1, "shared.cancel"}, [](const AppState& s) { return s.shared.has_value(); },
+        [&](const Theme& theme) {
+            text_in(theme.body, palette::quiet,
+                    edit.label + ": the text stands at the anchor &" + edit.anchor + " and is used from there.");
+        });
 }
 
 namespace {
