@@ -224,7 +224,12 @@ Box2 bounds_of(const AppState& state, NodeId node) {
 std::vector<Box2> boxes_beside(const AppState& state, const std::vector<NodeId>& without) {
     const Program& program = state.session.program();
     std::set<NodeId> left_out;
-    for (const NodeId node : without) left_out.merge(subtree(state.document.scene(), node));
+    const Scene& scene = state.document.scene();
+    for (const NodeId node : without) {
+        left_out.merge(subtree(scene, node));
+        // What it lies in has edges that are its own: they would hold it where it is.
+        for (NodeId above = scene.find(node)->parent; above; above = scene.find(above)->parent) left_out.insert(above);
+    }
     std::vector<Box2> out{{{0, 0}, program.size}};
     const auto offer = [&](const Field& field, const Similarity& world_from_field) {
         for (const Solid& solid : field.solids)

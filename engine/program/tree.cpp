@@ -6,6 +6,7 @@
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/field.h"
+#include "engine/program/trace.h"
 
 namespace pinfield {
 namespace {
@@ -54,9 +55,11 @@ double images_value(const Field& field, const Op& op, const Vec2& p) {
 }
 
 /// Is a found outline wrong about the side that p is on? It is where a needle of the solid is thinner than what its boundary strays, and the
-/// needle's two sides have changed places: the tree's formula knows. On a seam of zeros, where that knows nothing, the outline does.
+/// needle's two sides have changed places: the tree's formula knows. As near as it strays the outline knows better, and on a seam of zeros.
 bool is_other_side(const Field& field, const Op& outline, const Vec2& p, double distance) {
     constexpr double hair = 1e-12;
+    const double strays = 2 * trace_tolerance * outline.bounds.size().maxCoeff();
+    if (std::fabs(distance) <= strays) return false;
     const double formula = tree_value(field, child_of(field, outline, 0), p);
     return std::fabs(formula) > hair && (formula < 0) != (distance < 0);
 }

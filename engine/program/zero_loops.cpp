@@ -110,15 +110,9 @@ private:
         if (std::fabs(tree_value(field_, op_, middle_of(cell))) > lipschitz_ * radius) return true;
         if (cell.size > finest_ / coarsest) return visit_quarters(cell);
         if (++visited_ > most_cells) return false;
-        if (cell.size > 1 && may_hide(cell, radius)) return split(cell);
+        if (cell.size > 1 && fans_.fan(op_, middle_of(cell), radius).is_wide()) return split(cell);
         cells_.push_back(cell);
         return true;
-    }
-    /// A shape alone hides nothing beside a line that is seen: shapes are not that thin.
-    bool may_hide(const Cell& cell, double radius) {
-        const bool is_shape = at(field_.ops, op_).kernels->form == sdf::Form::shape;
-        if (is_shape && leaving(ring_of(cell)) == 1) return false;
-        return fans_.fan(op_, middle_of(cell), radius).is_wide();
     }
     bool visit_quarters(const Cell& cell) {
         const int half = cell.size / 2;

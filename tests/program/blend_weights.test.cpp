@@ -112,6 +112,7 @@ TEST_CASE("a gradient is the weighted sum of the leaves' own") {
             for (int i = 0; i < 4; ++i) add(scene, "circle", all, {{"radius", 0.3}, {"at", random_point(random)}});
             const ProgramPtr program = compiled(scene);
             const Field& field = program->fixed;
+            if (field.solids[0].is_domain) continue;  // the discs have nothing in common
             for (int i = 0; i < 100; ++i) {
                 const Vec2 p = random_point(random);
                 Vec2 sum(0, 0);
