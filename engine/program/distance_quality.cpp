@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "engine/core/at.h"
@@ -144,6 +145,8 @@ Diagnostics warnings_of(const Program& program, const Scene& scene) {
     for_each_field(program, [&](const Field& field) { add_missing_boundaries(field, scene, out); });
     add_empty_solids(program, scene, out);
     add_untouched_layers(program, scene, out);
+    // As one reads: by their place.
+    std::stable_sort(out.begin(), out.end(), [](const Diagnostic& a, const Diagnostic& b) { return a.where.span.begin < b.where.span.begin; });
     return out;
 }
 

@@ -243,7 +243,7 @@ FoundBoundary boundary_below(const Field& field, int root) {
     const FoundLeaves found = leaf_images(field, root);
     if (found.leaves.empty()) {
         TracedBoundary traced = traced_boundary(field, root);
-        return {std::move(traced.pieces), traced.error};
+        return {std::move(traced.pieces), traced.error, infinity, traced.nothing};
     }
     double error = 0;
     for (const LeafImage& leaf : found.leaves) error = std::max(error, leaf.error);

@@ -218,10 +218,11 @@ TracedBoundary traced_boundary(const Field& field, int op) {
     // likely to have its edges.
     const Vec2 lo = box.centre() - Vec2(0.5231, 0.5178) * size;
     const Box2 window{lo, lo + Vec2(1.0437, 1.0437) * size};
-    const std::optional<std::vector<std::vector<ZeroPoint>>> loops = zero_loops(field, op, window);
-    if (!loops) return {};
+    const std::optional<ZeroLoops> found = zero_loops(field, op, window);
+    if (!found) return {};
+    if (found->loops.empty()) return {.pieces = {}, .error = 0, .nothing = found->complete && at(field.ops, op).bounds.is_finite()};
     Fit fit(field, op, size);
-    for (const std::vector<ZeroPoint>& loop : *loops)
+    for (const std::vector<ZeroPoint>& loop : found->loops)
         if (!fit.add(loop)) return {};
     return {fit.take(), trace_tolerance * size};
 }

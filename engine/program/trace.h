@@ -12,6 +12,7 @@ inline constexpr double trace_tolerance = 1e-7;
 struct TracedBoundary {
     std::vector<OwnedPiece> pieces;
     double error = 0;  ///< metres that they stray at most from the zero line
+    bool nothing = false;  ///< there are none, as there is no solid
 };
 /// The boundary of the solid below an op, in the field's frame, each piece with the shape whose surface it is. Nothing where there is none,
 /// where it has no end or is far larger than any table, where it cannot be fitted, and where too much of it may hide something too small to

@@ -72,8 +72,8 @@ public:
         return true;
     }
 
-    std::optional<std::vector<std::vector<ZeroPoint>>> loops() {
-        std::vector<std::vector<ZeroPoint>> out;
+    std::optional<ZeroLoops> loops() {
+        ZeroLoops out{.loops = {}, .complete = complete_};
         while (!next_.empty()) {
             std::vector<ZeroPoint> loop;
             const LatticeEdge first = next_.begin()->first;
@@ -87,7 +87,7 @@ public:
                 edge = link->second;
                 next_.erase(link);
             } while (!(edge == first));
-            out.push_back(std::move(loop));
+            out.loops.push_back(std::move(loop));
         }
         return out;
     }
@@ -110,7 +110,10 @@ private:
         if (std::fabs(tree_value(field_, op_, middle_of(cell))) > lipschitz_ * radius) return true;
         if (cell.size > finest_ / coarsest) return visit_quarters(cell);
         if (++visited_ > most_cells) return false;
-        if (cell.size > 1 && fans_.fan(op_, middle_of(cell), radius).is_wide()) return split(cell);
+        if (fans_.fan(op_, middle_of(cell), radius).is_wide()) {
+            if (cell.size > 1) return split(cell);
+            complete_ = false;
+        }
         cells_.push_back(cell);
         return true;
     }
@@ -211,6 +214,7 @@ private:
     std::vector<Cell> cells_;      ///< that the line may run through, none split
     std::map<LatticeEdge, LatticeEdge> next_;  ///< along the line
     int visited_ = 0;
+    bool complete_ = true;
 };
 
 }  // namespace
@@ -260,7 +264,7 @@ std::optional<ZeroCorner> zero_corner_near(const Field& field, int op, const Vec
     return out;
 }
 
-std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window) {
+std::optional<ZeroLoops> zero_loops(const Field& field, int op, const Box2& window) {
     Lattice lattice(field, op, window);
     if (!lattice.link_cells()) return std::nullopt;
     return lattice.loops();

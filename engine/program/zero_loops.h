@@ -29,9 +29,15 @@ struct ZeroCorner {
 /// The corner of the zero line within about `reach` of p; nothing where the line is smooth.
 std::optional<ZeroCorner> zero_corner_near(const Field& field, int op, const Vec2& p, double reach, double size);
 
-/// All loops within `window`, a square: neighbouring points are at most a 128th of its side apart, the solid on the left. What is at least an
-/// 8192nd of the side wide, the solid's or what is around it, is seen, and a tenth of a millimetre whatever the side. Nothing when too much
-/// of the window may hide something smaller, and nothing when the line leaves it.
-std::optional<std::vector<std::vector<ZeroPoint>>> zero_loops(const Field& field, int op, const Box2& window);
+/// Of the zero line within a window.
+struct ZeroLoops {
+    std::vector<std::vector<ZeroPoint>> loops;  ///< the solid on the left
+    bool complete = true;                       ///< no place is left that may hide more of the line
+};
+
+/// All loops within `window`, a square: neighbouring points are at most a 128th of its side apart. What is at least an 8192nd of the side
+/// wide, the solid's or what is around it, is seen, and a tenth of a millimetre whatever the side. Nothing when too much of the window may
+/// hide something smaller, and nothing when the line leaves it.
+std::optional<ZeroLoops> zero_loops(const Field& field, int op, const Box2& window);
 
 }  // namespace pinfield

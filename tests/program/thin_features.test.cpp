@@ -226,6 +226,11 @@ TEST_CASE("what is cut from itself or common to what is apart is no solid, and i
     empty.push_back(add(scene, "intersection"));
     disc(empty.back(), 0.1);
     disc(empty.back(), 0.4);
+    for (const std::string_view operation : {"intersection", "smooth_intersection", "lerp"}) {  // known by their formulas
+        empty.push_back(add(scene, operation));
+        add(scene, "ellipse", empty.back(), {{"at", Vec2(0.1, 0.5)}});
+        disc(empty.back(), 0.4);
+    }
     empty.push_back(add(scene, "flipper"));
     const NodeId bat = add(scene, "difference", empty.back());
     disc(bat, 0);
