@@ -5,6 +5,7 @@
 #include "engine/physics/scatter.h"
 #include "engine/scene/playfield.h"
 #include "tests/physics/support.h"
+#include "tests/program/random_construction.h"
 
 using namespace pinfield;
 using namespace pinfield::physics_test;
@@ -98,6 +99,50 @@ TEST_CASE("no ball enters the first table's solids at 1, 10, 100 and 1000 m/s, w
                 if (elastic) options.restitution = 1;
                 check_clean(soak(program, 10, speed > 50 ? 0.02 : 0.2, speed, options, beating));
             }
+}
+
+namespace {
+
+/// A solid of operators over operators with walls down to 1/5000 of it, on an even table.
+ProgramPtr constructed(std::uint64_t seed, int depth) {
+    Scene scene(test::catalog());
+    test::set(scene.table(), "size", Vec2(2, 2));
+    test::set(scene.table(), "slope", 0.0);
+    const NodeId top = test::RandomConstruction(scene, seed, 1.0 / 5000).grow({}, depth);
+    test::set(*scene.find(top), "at", Vec2(1, 1));
+    return test::compiled(scene);
+}
+
+void check_constructions(std::uint64_t first, int count, int deepest) {
+    std::int64_t hits = 0;
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(count); ++seed) {
+        const ProgramPtr program = constructed(seed, 1 + static_cast<int>(seed % static_cast<std::uint64_t>(deepest)));
+        for (const double speed : {1.0, 10.0, 100.0, 1000.0}) {
+            INFO("seed " << seed << " at " << speed << " m/s");
+            WorldOptions options;
+            options.balls_collide = false;
+            World world(program, options);
+            if (scatter_balls(world, 10, speed, seed) == 0) continue;  // a solid all over the table
+            SimulationOptions run;
+            run.seconds = speed > 50 ? 0.02 : 0.2;
+            run.audit = true;
+            Game game(std::move(world));
+            const SimulationSummary summary = simulate(game, run);
+            check_clean(summary);
+            hits += at(summary.events, EventKind::hit);
+        }
+    }
+    CHECK(hits > 10 * count);
+}
+
+}  // namespace
+
+TEST_CASE("no ball enters a solid of any operators over walls, pins and gaps far thinner than itself, at any speed") {
+    check_constructions(1, 6, 3);
+}
+
+TEST_CASE("no ball enters a solid of operators over operators over walls far thinner than itself, at any speed", "[slow]") {
+    check_constructions(5000, 60, 6);
 }
 
 TEST_CASE("the auditor complains when the sweep is switched off") {
