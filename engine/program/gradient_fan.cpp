@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
@@ -132,12 +133,12 @@ FanFinder::Near FanFinder::near_fold(const Op& op, const Vec2& p, double radius)
     for (int i = 1; i < op.child_count; ++i) {
         const Near next = near(child_of(field_, op, i), p, radius);
         Fan fan;
-        for (const double a : {0.0, -out.change, out.change})
-            for (const double b : {0.0, -next.change, next.change}) {
-                const sdf::Partials f = op.kernels->combine_partials(params, (out.value + a) / op.scale, (next.value + b) / op.scale);
-                if (std::fabs(f.by_a) > least_share) include_mapped(fan, out.fan, [&](const Vec2& way) { return Vec2(f.by_a * way); });
-                if (std::fabs(f.by_b) > least_share) include_mapped(fan, next.fan, [&](const Vec2& way) { return Vec2(f.by_b * way); });
-            }
+        for (const auto& [a, b] : {std::pair(0, 0), std::pair(-1, 1), std::pair(1, -1), std::pair(-1, -1), std::pair(1, 1)}) {
+            const sdf::Partials f =
+                op.kernels->combine_partials(params, (out.value + a * out.change) / op.scale, (next.value + b * next.change) / op.scale);
+            if (std::fabs(f.by_a) > least_share) include_mapped(fan, out.fan, [&](const Vec2& way) { return Vec2(f.by_a * way); });
+            if (std::fabs(f.by_b) > least_share) include_mapped(fan, next.fan, [&](const Vec2& way) { return Vec2(f.by_b * way); });
+        }
         const sdf::Partials f = op.kernels->combine_partials(params, out.value / op.scale, next.value / op.scale);
         out = {f.value * op.scale, std::max(out.change, next.change), f.by_a * out.gradient + f.by_b * next.gradient, fan};
     }

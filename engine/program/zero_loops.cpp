@@ -4,7 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "engine/core/at.h"
@@ -30,6 +31,12 @@ struct LatticeNode {
     int i = 0, j = 0;
     auto operator<=>(const LatticeNode& b) const { return j != b.j ? j <=> b.j : i <=> b.i; }
     bool operator==(const LatticeNode&) const = default;
+};
+
+struct HashOfNode {
+    std::size_t operator()(const LatticeNode& node) const {
+        return (static_cast<std::size_t>(static_cast<unsigned>(node.j)) << 32 | static_cast<unsigned>(node.i)) * 0x9E3779B97F4A7C15u >> 20;
+    }
 };
 
 /// From its left or lower end to the other, with no node between.
@@ -209,8 +216,8 @@ private:
     int finest_ = least_finest;
     double step_ = 0;  ///< metres between nodes
     double lipschitz_;
-    std::map<LatticeNode, double> values_;
-    std::set<LatticeNode> nodes_;  ///< that split cells have, beside the corners of the coarsest
+    std::unordered_map<LatticeNode, double, HashOfNode> values_;  // looked up only: no order of theirs matters
+    std::unordered_set<LatticeNode, HashOfNode> nodes_;  ///< that split cells have, beside the corners of the coarsest
     std::vector<Cell> cells_;      ///< that the line may run through, none split
     std::map<LatticeEdge, LatticeEdge> next_;  ///< along the line
     int visited_ = 0;
