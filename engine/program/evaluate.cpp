@@ -50,6 +50,12 @@ bool is_certified(const Field& field, const Op& root, int op, const Vec2& p, con
     return s.value < 0 ? beyond >= 0 : beyond <= 0;
 }
 
+/// The gradient of a distance that was certified: on the surface a bound has the same foot, and rises more slowly.
+Vec2 certified_gradient(const sdf::Sample& s) {
+    const double slope = length(s.gradient);
+    return slope > 0 && std::fabs(slope - 1) > 1e-9 ? Vec2(s.gradient / slope) : s.gradient;
+}
+
 /// The distance to a solid's box is a bound of the distance to the solid, too, and far from one that is warped the better one. It must be
 /// asked wherever the formula is: the broad phase goes by boxes, and a ball that it lets come as near as the box says must not be
 /// found to overlap what the formula says.
@@ -70,6 +76,7 @@ Nearest surface_of_tree(const Field& field, int solid, const Vec2& p) {
     out.gradient = s.gradient;
     out.solid = solid;
     out.certified = is_certified(field, at(field.ops, root), root, p, s);
+    if (out.certified) out.gradient = certified_gradient(s);
     const Box2& box = solid_at(field, solid).bounds;
     if (!out.certified && box.distance(p) > std::max(s.value, 0.0)) {
         const Vec2 from_box = p - p.cwiseMax(box.lo).cwiseMin(box.hi);
@@ -88,7 +95,7 @@ Nearest corrected(const Field& field, const Nearest& found, const Vec2& p) {
     const double error = 2 * solid_at(field, found.solid).fit_error, size = solid_at(field, found.solid).fit_error / trace_tolerance;
     const sdf::Sample s = evaluate_tree(field, root, p);
     if (std::fabs(s.value - found.distance) <= error && is_certified(field, at(field.ops, root), root, p, s))
-        return {s.value, s.gradient, found.solid, found.leaf, true};
+        return {s.value, certified_gradient(s), found.solid, found.leaf, true};
     const Vec2 fitted = p - found.distance * found.gradient;
     const auto seen_from = [&](const Vec2& foot, double most) {
         Nearest out = found;

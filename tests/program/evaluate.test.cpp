@@ -6,7 +6,7 @@
 #include "engine/core/trig.h"
 #include "engine/program/tree.h"
 #include "engine/scene/playfield.h"
-#include "tests/program/tables.h"
+#include "tests/program/random_construction.h"
 
 using namespace pinfield;
 using namespace pinfield::test;
@@ -173,4 +173,41 @@ TEST_CASE("a solid is never nearer than its box, however far its formula may und
         CHECK(along.distance - here.distance == Approx(h * here.gradient.squaredNorm()).epsilon(1e-3));
     }
     CHECK(formula_falls_short > 100);
+}
+
+TEST_CASE("where a distance is certified its gradient is a unit vector, on the surface of what is warped or blended, too") {
+    int certified = 0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Scene scene(catalog());
+        set(scene.table(), "size", Vec2(2, 2));
+        const NodeId top = RandomConstruction(scene, seed, 0.02).grow({}, 1 + static_cast<int>(seed % 3));
+        set(*scene.find(top), "at", Vec2(1, 1));
+        const ProgramPtr program = compiled(scene);
+        const Field& field = program->fixed;
+        if (field.solids[0].is_domain || !field.solids[0].bounds.is_finite()) continue;
+        const Box2 around = field.solids[0].bounds.grown(0.05);
+        CounterRng random(seed, 5);
+        for (int i = 0; i < 300; ++i) {
+            const double x = random.in(around.lo.x(), around.hi.x());
+            Vec2 p(x, random.in(around.lo.y(), around.hi.y()));
+            for (int step = 0; step < 3; ++step) {  // nearer and nearer to the surface
+                const Nearest here = nearest_of_solid(field, 0, p);
+                INFO("seed " << seed << " at " << p.transpose());
+                certified += here.certified;
+                if (here.certified && length(here.gradient) > 0) REQUIRE(length(here.gradient) == Approx(1).epsilon(1e-6));
+                p -= here.distance * here.gradient;
+            }
+        }
+    }
+    CHECK(certified > 1000);
+}
+
+TEST_CASE("on the tip of a disc stretched to twice its width the certified gradient is one, as everywhere") {
+    Scene scene(catalog());
+    const NodeId stretch = add(scene, "stretch", {}, {{"by", Vec2(2, 1)}});
+    add(scene, "circle", stretch, {{"radius", 0.1}});
+    const ProgramPtr program = compiled(scene);
+    const Nearest tip = nearest_of_solid(program->fixed, 0, {0.2, 0});
+    CHECK(tip.certified);
+    CHECK(tip.gradient == Vec2(1, 0));
 }
