@@ -125,10 +125,9 @@ private:
         return true;
     }
     bool visit_quarters(const Cell& cell) {
-        const int half = cell.size / 2;
-        for (const auto& [i, j] : {std::pair(0, 0), std::pair(half, 0), std::pair(0, half), std::pair(half, half)})
-            if (!visit({cell.i + i, cell.j + j, half})) return false;
-        return true;
+        const int half = cell.size / 2, i = cell.i, j = cell.j;
+        const std::array<Cell, 4> quarters{Cell{i, j, half}, {i + half, j, half}, {i, j + half, half}, {i + half, j + half, half}};
+        return std::all_of(quarters.begin(), quarters.end(), [&](const Cell& quarter) { return visit(quarter); });
     }
     /// Its neighbours get nodes on their sides.
     bool split(const Cell& cell) {
