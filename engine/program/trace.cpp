@@ -1,6 +1,7 @@
 #include "engine/program/trace.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/core/at.h"
@@ -57,11 +58,11 @@ private:
     /// Does the zero line run along the piece, as far as a share of the tolerance?
     bool holds(const Piece& piece, double slope, double share) {
         const double limit = share * tolerance() * slope;
-        for (const double t : {0.25, 0.5, 0.75}) {
+        constexpr std::array shares{0.25, 0.5, 0.75};
+        return std::all_of(shares.begin(), shares.end(), [&](double t) {
             ++evaluations_;
-            if (!(std::fabs(tree_value(field_, op_, point_at_share(piece, t))) <= limit)) return false;
-        }
-        return true;
+            return std::fabs(tree_value(field_, op_, point_at_share(piece, t))) <= limit;
+        });
     }
 
     /// Whatever the line does over so short a way, it strays by less than anything else may.

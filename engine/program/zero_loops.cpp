@@ -164,15 +164,16 @@ private:
     void link(const Cell& cell) {
         const std::vector<LatticeNode> ring = ring_of(cell);
         const std::size_t n = ring.size();
+        const auto after = [&](std::size_t k) -> const LatticeNode& { return k + 1 < n ? ring[k + 1] : ring.front(); };
         std::vector<std::size_t> ends, begins;  // edges on which the solid ends and begins, in turns
         for (std::size_t k = 0; k < n; ++k) {
-            const bool here = is_solid(ring[k]), there = is_solid(ring[(k + 1) % n]);
+            const bool here = is_solid(ring[k]), there = is_solid(after(k));
             if (here && !there) ends.push_back(k);
             if (!here && there) begins.push_back(k);
         }
         if (ends.empty()) return;
         const auto edge = [&](std::size_t k) {
-            const LatticeNode &a = ring[k], &b = ring[(k + 1) % n];
+            const LatticeNode &a = ring[k], &b = after(k);
             return a < b ? LatticeEdge{a, b} : LatticeEdge{b, a};
         };
         // The line comes in where the solid ends. A saddle: where the middle is solid it cuts off what is not, and the other way round.
