@@ -9,8 +9,7 @@
 #include "editor/pick.h"
 #include "editor/table_aids.h"
 #include "engine/core/numbers.h"
-#include "tests/editor/screen.h"
-#include "tests/editor/support.h"
+#include "tests/editor/desk.h"
 
 using namespace pinfield;
 using namespace pinfield::editor;
@@ -25,44 +24,13 @@ scene:
   - circle: {id: a, at: [0.3, 0.7], radius: 40mm}
 )";
 
-/// The table with its rulers, and a mouse.
-class Desk : public Screen {
+/// The table with its rulers.
+class RuledDesk : public Desk {
 public:
-    Desk() : Screen({800, 800}), state_(opened_state(folder_, disc)) {
+    RuledDesk() : Desk(disc) {
         state_.preferences.show_rulers = true;
-        state_.session.play(false);
-        for (int i = 0; i < 3; ++i) frame();
+        frames(1);
     }
-    AppState& state() { return state_; }
-    void frame() {
-        frame_of([&] {
-            viewport_panel(state_, ui_, {0, 0}, {800, 800});
-            advance(state_, 0);
-        });
-    }
-    void move_to(const Vec2& pixel) {
-        ui_.mouse = pixel;
-        ImGui::GetIO().MousePos = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
-        frame();
-    }
-    void button(bool down) {
-        ImGui::GetIO().MouseDown[0] = down;
-        frame();
-    }
-    void drag(const Vec2& from, const Vec2& to) {
-        move_to(from);
-        button(true);
-        for (const double share : {0.3, 0.7, 1.0}) move_to(from + share * (to - from));
-        frame();
-        button(false);
-        frame();
-        for (int i = 0; i < 30; ++i) frame();
-    }
-    Vec2 on_table(double x, double y) const { return state_.view.pixel_from_world({x, y}); }
-
-private:
-    Folder folder_;
-    AppState state_;
 };
 
 }  // namespace
@@ -102,7 +70,7 @@ TEST_CASE("a guide comes in line with edges and middles, else it goes by the gri
 }
 
 TEST_CASE("guides are drawn out of rulers, moved, and put back there to be gone; the table's text does not change") {
-    Desk desk;
+    RuledDesk desk;
     const std::string text = desk.state().document.source().text();
     desk.drag({400, 8}, desk.on_table(0.5, 0.6));
     REQUIRE(desk.state().aids.guides.size() == 1);
@@ -122,7 +90,7 @@ TEST_CASE("guides are drawn out of rulers, moved, and put back there to be gone;
 }
 
 TEST_CASE("Esc puts a guide back where it was, and takes a new one away") {
-    Desk desk;
+    RuledDesk desk;
     desk.state().aids.guides = {{0, 0.6}};
     desk.move_to(desk.on_table(0.6, 0.3));
     desk.button(true);
@@ -142,7 +110,7 @@ TEST_CASE("Esc puts a guide back where it was, and takes a new one away") {
 
 TEST_CASE("a node that is dragged near a guide comes in line with it to 1e-9; hidden guides hold nothing, and locked ones stay") {
     const auto dropped = [](bool shown) {
-        Desk desk;
+        RuledDesk desk;
         desk.state().aids.guides = {{0, 0.5123456}};
         desk.state().preferences.show_guides = shown;
         desk.drag(desk.on_table(0.3, 0.7), desk.on_table(0.5132, 0.62));
@@ -150,7 +118,7 @@ TEST_CASE("a node that is dragged near a guide comes in line with it to 1e-9; hi
     };
     CHECK(std::fabs(dropped(true).x() - 0.5123456) <= 1e-9);
     CHECK(std::fabs(dropped(false).x() - 0.5123456) > 1e-5);
-    Desk desk;
+    RuledDesk desk;
     desk.state().aids.guides = {{0, 0.6}};
     run(desk.state(), "view.lock_guides");
     desk.drag(desk.on_table(0.6, 0.3), desk.on_table(0.7, 0.3));
@@ -174,7 +142,7 @@ TEST_CASE("a node comes in line with the axis of a mirror, wherever that stands,
 }
 
 TEST_CASE("where a node is under the mouse, that is dragged and not the guide") {
-    Desk desk;
+    RuledDesk desk;
     desk.state().aids.guides = {{0, 0.3}};
     desk.drag(desk.on_table(0.3, 0.7), desk.on_table(0.42, 0.55));
     CHECK(desk.state().aids.guides == std::vector<Guide>{{0, 0.3}});

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #include "engine/core/at.h"
-#include "tests/editor/screen.h"
-#include "tests/editor/support.h"
+#include "tests/editor/desk.h"
 
 using namespace pinfield;
 using namespace pinfield::editor;
@@ -25,45 +24,24 @@ scene:
 )";
 
 /// The table, and a mouse that drags from one place of the world to another and holds there.
-class Desk : public Screen {
+class SnapDesk : public Desk {
 public:
-    Desk() : Screen({800, 800}), state_(opened_state(folder_, scene)) {
-        state_.session.play(false);
-        for (int i = 0; i < 3; ++i) frame();
-    }
-    AppState& state() { return state_; }
+    SnapDesk() : Desk(scene) {}
     const Node& node(const char* name) const { return *state_.document.scene().find(name); }
     Vec2 point(const char* name, std::size_t i) const { return node(name).get<std::vector<Vec2>>("points")[i]; }
-    void frame() {
-        frame_of([&] {
-            viewport_panel(state_, ui_, {0, 0}, {800, 800});
-            advance(state_, 0);
-        });
-    }
-    void move_to(const Vec2& world) {
-        ui_.mouse = state_.view.pixel_from_world(world);
-        ImGui::GetIO().MousePos = {static_cast<float>(ui_.mouse.x()), static_cast<float>(ui_.mouse.y())};
-        frame();
-        frame();
-    }
     void hold(const char* name, const Vec2& from, const Vec2& to) {
         select(state_, node(name).id);
-        move_to(from);
+        move_to_world(from);
         REQUIRE(handle_under_mouse(state_, ui_) >= 0);
-        ImGui::GetIO().MouseDown[0] = true;
-        frame();
-        move_to(0.5 * (from + to));
-        move_to(to);
+        button(true);
+        move_to_world(0.5 * (from + to));
+        move_to_world(to);
     }
     void let_go() {
-        ImGui::GetIO().MouseDown[0] = false;
-        for (int i = 0; i < 40; ++i) frame();
+        button(false);
+        frames(40);
     }
     const std::vector<SnapLine>& lines() const { return ui_.magnets.lines; }
-
-private:
-    Folder folder_;
-    AppState state_;
 };
 
 bool on_grid_of_1mm(double x) { return std::fabs(1000 * x - std::round(1000 * x)) < 1e-6; }
@@ -72,7 +50,7 @@ bool on_grid_of_1mm(double x) { return std::fabs(1000 * x - std::round(1000 * x)
 
 TEST_CASE("a dragged point comes in line with edges and middles, its other coordinate keeps to the grid, and lines say why") {
     for (const double line : {0.5513, 0.6013, 0.6513}) {
-        Desk desk;
+        SnapDesk desk;
         desk.hold("tri", {0.2, 0.12}, {line + 0.003, 0.2006});
         REQUIRE(desk.lines().size() == 1);
         CHECK(desk.lines()[0].a.x() == Approx(line).margin(1e-12));
@@ -89,7 +67,7 @@ TEST_CASE("a dragged point comes in line with edges and middles, its other coord
 
 TEST_CASE("Ctrl leaves it out, and so does the switch") {
     for (const bool by_key : {true, false}) {
-        Desk desk;
+        SnapDesk desk;
         if (!by_key) run(desk.state(), "tool.snap");
         ImGui::GetIO().KeyCtrl = by_key;
         desk.hold("tri", {0.2, 0.12}, {0.5543, 0.2});
@@ -101,7 +79,7 @@ TEST_CASE("Ctrl leaves it out, and so does the switch") {
 }
 
 TEST_CASE("a point comes in line with guides, and with the other points of its own list") {
-    Desk desk;
+    SnapDesk desk;
     desk.state().aids.guides.push_back({1, 0.3333});
     desk.hold("tri", {0.2, 0.12}, {0.103, 0.331});
     CHECK(desk.lines().size() == 2);
@@ -110,7 +88,7 @@ TEST_CASE("a point comes in line with guides, and with the other points of its o
 }
 
 TEST_CASE("an outline stops where it faces an edge, to the last digit, and pays no heed to lines along its way") {
-    Desk desk;
+    SnapDesk desk;
     desk.hold("disc", {0.34, 0.7}, {0.5493, 0.7});
     REQUIRE(desk.lines().size() == 1);
     CHECK(desk.lines()[0].a.x() == desk.lines()[0].b.x());
@@ -124,7 +102,7 @@ TEST_CASE("an outline stops where it faces an edge, to the last digit, and pays 
 }
 
 TEST_CASE("in a node that leans, and at a copy under a mirror, what is seen comes in line") {
-    Desk desk;
+    SnapDesk desk;
     const double turned = 0.1 * std::cos(0.5235987755982988), up = 0.1 * std::sin(0.5235987755982988);
     desk.hold("leaning", {0.8 + turned, 0.8 + up}, {0.654, 0.9});
     REQUIRE_FALSE(desk.lines().empty());
@@ -133,7 +111,7 @@ TEST_CASE("in a node that leans, and at a copy under a mirror, what is seen come
     CHECK(0.8 + std::cos(0.5235987755982988) * local.x() - std::sin(0.5235987755982988) * local.y() == Approx(0.6513).margin(2e-9));
 
     select(desk.state(), desk.node("sling").id);
-    desk.move_to({0.08, 0.54});
+    desk.move_to_world({0.08, 0.54});
     desk.hold("sling", {0.05, 0.6}, {0.148, 0.65});  // the copy's; in line with the first triangle's last point
     REQUIRE_FALSE(desk.lines().empty());
     desk.let_go();

@@ -11,8 +11,7 @@
 #include "editor/pick.h"
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
-#include "tests/editor/screen.h"
-#include "tests/editor/support.h"
+#include "tests/editor/desk.h"
 
 using namespace pinfield;
 using namespace pinfield::editor;
@@ -43,9 +42,13 @@ const std::vector<Case> cases{
      2},
 };
 
-AppState table_of(const Folder& folder, std::string scene) {
+std::string text_of(std::string scene) {
     scene.replace(scene.find("CHILD"), 5, child);
-    AppState state = opened_state(folder, "pinfield: 1\ntable: {size: [1, 1]}\nscene:\n  - " + scene + "\n");
+    return "pinfield: 1\ntable: {size: [1, 1]}\nscene:\n  - " + scene + "\n";
+}
+
+AppState table_of(const Folder& folder, const std::string& scene) {
+    AppState state = opened_state(folder, text_of(scene));
     INFO(scene);
     REQUIRE_FALSE(has_errors(state.document.diagnostics()));
     advance(state, 0);
@@ -124,66 +127,32 @@ TEST_CASE("without a copy it is the node itself, wherever that is seen") {
     }
 }
 
-namespace {
-
-/// The table, and a mouse.
-class Desk : public Screen {
-public:
-    explicit Desk(const char* scene) : Screen({800, 800}), state_(table_of(folder_, scene)) {
-        state_.session.play(false);
-        state_.preferences.grid = 0;
-        for (int i = 0; i < 3; ++i) frame();
-    }
-    AppState& state() { return state_; }
-    void frame() {
-        frame_of([&] {
-            viewport_panel(state_, ui_, {0, 0}, {800, 800});
-            advance(state_, 0);
-        });
-    }
-    void move_to(const Vec2& world) {
-        ui_.mouse = state_.view.pixel_from_world(world);
-        ImGui::GetIO().MousePos = {static_cast<float>(ui_.mouse.x()), static_cast<float>(ui_.mouse.y())};
-        frame();
-        frame();
-    }
-    void button(bool down) {
-        ImGui::GetIO().MouseDown[0] = down;
-        frame();
-    }
-
-private:
-    Folder folder_;
-    AppState state_;
-};
-
-}  // namespace
-
 TEST_CASE("in every copy the handle is there, and the copy's outline goes through the hand that drags it") {
     for (const Case& one : cases) {
-        Desk desk(one.operation);
+        Desk desk(text_of(one.operation));
+        desk.state().preferences.grid = 0;
         INFO(one.operation);
         AppState& state = desk.state();
         const NodeId node = id_of(state.document, "it");
         for (const Copy& copy : copies_in(state, node)) {
             select(state, node);
-            desk.move_to(*copy.near);
-            desk.move_to(*Showing(state, node, copy).world_from_local({0, 0}));
+            desk.move_to_world(*copy.near);
+            desk.move_to_world(*Showing(state, node, copy).world_from_local({0, 0}));
             REQUIRE(desk.ui().handles.copy.images == copy.images);
             REQUIRE(desk.ui().handles.all.size() == 1);
             const Vec2 at = desk.ui().handles.all.front().at;
             const Vec2 from = *Showing(state, node, copy).world_from_local(at), to = *Showing(state, node, copy).world_from_local(1.2 * at);
-            desk.move_to(from);
+            desk.move_to_world(from);
             REQUIRE(handle_under_mouse(state, desk.ui()) == 0);
             desk.button(true);
-            desk.move_to(0.5 * (from + to));
-            desk.move_to(to);
+            desk.move_to_world(0.5 * (from + to));
+            desk.move_to_world(to);
             desk.button(false);
-            desk.frame();
+            desk.frames(1);
             CHECK(state.document.scene().find(node)->get<double>("radius") == Approx(0.018).margin(2e-5));
             CHECK(std::fabs(distance_at(state, to)) < 5e-5);
             state.document.undo();
-            for (int i = 0; i < 30; ++i) desk.frame();
+            desk.frames(30);
         }
     }
 }

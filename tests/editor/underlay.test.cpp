@@ -11,8 +11,7 @@
 #include "editor/lay_under.h"
 #include "engine/core/at.h"
 #include "engine/io/png.h"
-#include "tests/editor/screen.h"
-#include "tests/editor/support.h"
+#include "tests/editor/desk.h"
 
 using namespace pinfield;
 using namespace pinfield::editor;
@@ -22,7 +21,8 @@ namespace {
 
 double between(double least, double most) { return least + (most - least) * *rc::gen::inRange(0, 1'000'001) / 1e6; }
 
-Vec2 any_pixels() { return Vec2(*rc::gen::inRange(1, 5000), *rc::gen::inRange(1, 5000)); }
+/// In braces, so that every compiler draws x first.
+Vec2 any_pixels() { return Vec2{*rc::gen::inRange(1, 5000), *rc::gen::inRange(1, 5000)}; }
 
 Underlay any_underlay() {
     Underlay underlay{.path = "/a photo.png"};
@@ -51,50 +51,19 @@ std::vector<unsigned char> checkered(int width, int height, int channels) {
 }
 
 /// The table with a picture under it, and a mouse.
-class Desk : public Screen {
+class PictureDesk : public Desk {
 public:
-    explicit Desk(int width = 200, int height = 100) : Screen({800, 800}), state_(opened_state(folder_)) {
-        state_.session.play(false);
+    explicit PictureDesk(int width = 200, int height = 100) {
         static_cast<void>(write_png(photo(), width, height, checkered(width, height, 3)));
-        for (int i = 0; i < 3; ++i) frame();
         lay_under(state_, photo());
-        for (int i = 0; i < 3; ++i) frame();
+        frames(3);
     }
     std::string photo() const { return folder_.file("photo.png"); }
-    const Folder& folder() const { return folder_; }
-    AppState& state() { return state_; }
     const Underlay& underlay() const { return state_.aids.underlay; }
-    void frame() {
-        frame_of([&] {
-            viewport_panel(state_, ui_, {0, 0}, {800, 800});
-            advance(state_, 0);
-        });
-    }
-    void move_to(const Vec2& pixel) {
-        ui_.mouse = pixel;
-        ImGui::GetIO().MousePos = {static_cast<float>(pixel.x()), static_cast<float>(pixel.y())};
-        frame();
-    }
-    void button(bool down) {
-        ImGui::GetIO().MouseDown[0] = down;
-        frame();
-    }
-    void drag(const Vec2& from, const Vec2& to) {
-        move_to(from);
-        button(true);
-        for (const double share : {0.3, 0.7, 1.0}) move_to(from + share * (to - from));
-        button(false);
-        for (int i = 0; i < 30; ++i) frame();
-    }
     void click(const Vec2& at) { drag(at, at); }
-    Vec2 on_table(double x, double y) const { return state_.view.pixel_from_world({x, y}); }
     bool reads(std::string_view words) const {
         return std::any_of(seen_.begin(), seen_.end(), [&](const ScreenText& text) { return text.text.starts_with(words); });
     }
-
-private:
-    Folder folder_;
-    AppState state_;
 };
 
 }  // namespace
@@ -217,7 +186,7 @@ TEST_CASE("pictures are read as they were written, halved where they are too lar
 }
 
 TEST_CASE("a drag moves the picture, two clicks and a distance bring it to size; the table's text does not change") {
-    Desk desk;
+    PictureDesk desk;
     const std::string text = desk.state().document.source().text();
     REQUIRE(desk.underlay().width == Approx(0.5));
     desk.drag(desk.on_table(0.3, 0.55), desk.on_table(0.34, 0.52));
@@ -228,11 +197,11 @@ TEST_CASE("a drag moves the picture, two clicks and a distance bring it to size;
     REQUIRE(desk.reads("Distance"));
     CHECK(ImGui::GetIO().WantTextInput);  // it is typed at once
     for (const char c : {'5', '0'}) ImGui::GetIO().AddInputCharacter(static_cast<unsigned>(c));
-    desk.frame();
+    desk.frames(1);
     ImGui::GetIO().KeysDown[ImGuiKey_Enter] = true;
-    desk.frame();
+    desk.frames(1);
     ImGui::GetIO().KeysDown[ImGuiKey_Enter] = false;
-    desk.frame();
+    desk.frames(1);
     CHECK(desk.underlay().width == Approx(0.125));
     CHECK(length(desk.underlay().centre - Vec2(0.2 + 0.25 * 0.09, 0.45 + 0.25 * 0.02)) < 1e-9);
     CHECK(desk.state().document.source().text() == text);
@@ -240,7 +209,7 @@ TEST_CASE("a drag moves the picture, two clicks and a distance bring it to size;
 }
 
 TEST_CASE("Esc takes a drag of the picture back, and then its points") {
-    Desk desk;
+    PictureDesk desk;
     const Underlay before = desk.underlay();
     desk.move_to(desk.on_table(0.3, 0.55));
     desk.button(true);
@@ -257,7 +226,7 @@ TEST_CASE("Esc takes a drag of the picture back, and then its points") {
 }
 
 TEST_CASE("a point of the picture is dragged by itself, and what is locked stays") {
-    Desk desk;
+    PictureDesk desk;
     desk.click(desk.on_table(0.3, 0.55));
     const Underlay before = desk.underlay();
     desk.drag(desk.on_table(0.3, 0.55), desk.on_table(0.35, 0.5));
@@ -271,7 +240,7 @@ TEST_CASE("a point of the picture is dragged by itself, and what is locked stays
 }
 
 TEST_CASE("a picture dropped onto the window goes under the table, all else is opened; a broken one is said and leaves what was there") {
-    Desk desk;
+    PictureDesk desk;
     AppState& state = desk.state();
     take_dropped_file(state, desk.folder().write("broken.png", "no picture"));
     CHECK_THAT(state.message, Catch::Contains("is no PNG or JPEG"));
@@ -280,19 +249,19 @@ TEST_CASE("a picture dropped onto the window goes under the table, all else is o
     take_dropped_file(state, desk.folder().write("other.yaml", pen));
     CHECK(state.document.path() == desk.folder().file("other.yaml"));
     CHECK(desk.underlay().path.empty());
-    desk.frame();
+    desk.frames(1);
     CHECK(state.tool == Tool::select);
     CHECK_FALSE(underlay_pixels(state));
     take_dropped_file(state, desk.photo());
     CHECK(desk.underlay().path == desk.photo());
     run(state, "underlay.remove");
-    desk.frame();
+    desk.frames(1);
     CHECK_FALSE(state.underlay.bitmap);
     CHECK_FALSE(enabled(state, "tool.underlay"));
 }
 
 TEST_CASE("an underlay comes back with its table; a missing picture is said, and found again when it is there again") {
-    Desk desk;
+    PictureDesk desk;
     AppState& state = desk.state();
     const Folder home;
     load_preferences(state, home.file(""));
