@@ -115,7 +115,7 @@ void add_missing_boundaries(const Field& field, const Scene& scene, Diagnostics&
                                fmt::format("the boundary of this {} could not be found: balls meet it by its formula, which takes longer, and "
                                            "its distances are bounds",
                                            node->type->key()),
-                               "its outline is too fine or too rough for lines and arcs, or it lies on its own edge: larger waves, or fewer parts, help"));
+                               "larger waves, fewer parts and parts that overlap instead of touching help; what is larger than 4 m is never fitted"));
     }
 }
 

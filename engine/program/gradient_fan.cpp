@@ -1,6 +1,7 @@
 #include "engine/program/gradient_fan.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -8,6 +9,8 @@
 #include "engine/core/at.h"
 #include "engine/program/evaluate.h"
 #include "engine/program/field.h"
+#include "engine/program/tree.h"
+#include "engine/sdf/outline_path.h"
 #include "engine/sdf/piece.h"
 
 namespace pinfield {
@@ -15,9 +18,6 @@ namespace {
 
 using sdf::Form;
 using sdf::Piece;
-
-/// The direction that `m` maps to d.
-Vec2 direction_before(const Similarity& m, const Vec2& d) { return m.inverse().direction(d); }
 
 int child_of(const Field& field, const Op& op, int i) { return at(field.links, op.first_link + i); }
 
@@ -35,6 +35,8 @@ double greatest_stretch(const Vec2& x, const Vec2& y) {
     const double a = dot(x, x), b = dot(x, y), c = dot(y, y), apart = a - c;
     return std::sqrt(0.5 * (a + c + std::sqrt(apart * apart + 4 * b * b)));
 }
+
+constexpr double uneven = 1.2;  // a warp may stretch more beside the disc's axes than on them
 
 /// Ways out of the solid that a piece may have seen from within the disc.
 void include_normals(Fan& out, const Piece& piece, const Vec2& p, double radius) {
@@ -97,8 +99,11 @@ void Fan::include(const Fan& other) {
 
 const sdf::Outline& FanFinder::outline_of(int index) {
     const auto [found, is_new] = outlines_.try_emplace(index);
+    if (!is_new) return found->second;
     const Op& op = at(field_.ops, index);
-    if (is_new && op.kernels->outline) op.kernels->outline(field_.params.data() + op.params, found->second);
+    const double* params = field_.params.data() + op.params;
+    if (is_found_outline(op)) found->second = sdf::unpacked_outline(params);
+    else if (op.kernels->outline) op.kernels->outline(params, found->second);
     return found->second;
 }
 
@@ -182,26 +187,49 @@ FanFinder::Near FanFinder::near_images(const Op& op, const Vec2& p, double radiu
     return out;
 }
 
-/// A child's gradient of the length it has in the middle, and the waves as they are there and at four places round about.
+/// A child's gradient of the length it has in the middle, and the warp and its waves as they are along both axes of the disc. Where they
+/// change by more from one place to the next than their slopes say, there is a fold or a wave between that was not seen.
 FanFinder::Near FanFinder::near_warp(const Op& op, const Vec2& p, double radius) {
-    constexpr double uneven = 1.2;  // a warp may stretch more at the disc's rim than in its middle
     const double* params = field_.params.data() + op.params;
     const double factor = op.kernels->factor(params), reach = radius / op.scale;
     const Similarity field_from_local = op.local_from_field.inverse();
     const Vec2 local = op.local_from_field * p;
-    const sdf::Warped warped = op.kernels->warped(params, local);
-    const double stretch = uneven * greatest_stretch(warped.from_x, warped.from_y);
-    const Near child = near(child_of(field_, op, 0), field_from_local * warped.point, stretch * radius);
-    const auto seen = [&](const sdf::Warped& here, const Vec2& way) {
+    const sdf::Warped middle = op.kernels->warped(params, local);
+    std::vector<sdf::Warped> seen{middle};
+    const bool smooth = warps_smoothly(op, local, {reach, 0}, seen) && warps_smoothly(op, local, {0, reach}, seen);
+    double stretch = 0;
+    for (const sdf::Warped& here : seen) stretch = std::max(stretch, greatest_stretch(here.from_x, here.from_y));
+    const Near child = near(child_of(field_, op, 0), field_from_local * middle.point, uneven * stretch * radius);
+    const auto mapped = [&](const sdf::Warped& here, const Vec2& way) {
         return direction_before(op.local_from_field, here.gradient(factor, direction_before(field_from_local, way)));
     };
-    Near out{factor * child.value + warped.lift * op.scale, op.exactness.lipschitz * radius, seen(warped, child.gradient), {}};
+    Near out{factor * child.value + middle.lift * op.scale, op.exactness.lipschitz * radius, mapped(middle, child.gradient), {}};
     const double steepness = length(child.gradient);
-    for (const Vec2& aside : {Vec2(0, 0), Vec2(reach, 0), Vec2(-reach, 0), Vec2(0, reach), Vec2(0, -reach)}) {
-        const sdf::Warped here = op.kernels->warped(params, local + aside);
-        include_mapped(out.fan, child.fan, [&](const Vec2& way) { return seen(here, steepness * way); });
-    }
+    for (const sdf::Warped& here : seen)
+        include_mapped(out.fan, child.fan, [&](const Vec2& way) { return mapped(here, steepness * way); });
+    if (!smooth) out.fan = Fan::all();
     return out;
+}
+
+/// From the far end of `half` through the middle to its end, at places that no wave meets in step.
+bool FanFinder::warps_smoothly(const Op& op, const Vec2& local, const Vec2& half, std::vector<sdf::Warped>& seen) const {
+    constexpr std::array shares{-1.0, -0.72, -0.47, -0.21, 0.0, 0.24, 0.49, 0.75, 1.0};
+    constexpr double most_unforeseen = 0.02;  // of the way between two places
+    const double* params = field_.params.data() + op.params;
+    const auto slope = [&](const sdf::Warped& here) { return half.x() != 0 ? here.from_x : here.from_y; };
+    const Vec2 along = half / length(half);
+    sdf::Warped before = op.kernels->warped(params, local + shares[0] * half);
+    seen.push_back(before);
+    for (std::size_t i = 1; i < shares.size(); ++i) {
+        const sdf::Warped here = op.kernels->warped(params, local + shares[i] * half);
+        const double way = (shares[i] - shares[i - 1]) * length(half);
+        const Vec2 moved = here.point - before.point - 0.5 * way * (slope(here) + slope(before));
+        const double lifted = here.lift - before.lift - 0.5 * way * dot(along, here.lift_gradient + before.lift_gradient);
+        if (length(moved) > most_unforeseen * way || std::fabs(lifted) > most_unforeseen * way) return false;
+        seen.push_back(here);
+        before = here;
+    }
+    return true;
 }
 
 FanFinder::Near FanFinder::near(int index, const Vec2& p, double radius) {

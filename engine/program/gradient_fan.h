@@ -1,6 +1,7 @@
 // Which ways an op's field may rise near a point: whether its zero line can do anything there but run through once.
 #pragma once
 #include <map>
+#include <vector>
 
 #include "engine/program/program.h"
 
@@ -9,6 +10,11 @@ namespace pinfield {
 /// Directions between two of them, less than half a turn apart; or none, or more than that.
 class Fan {
 public:
+    static Fan all() {
+        Fan out;
+        out.state_ = State::wide;
+        return out;
+    }
     void include(const Vec2& direction);
     void include(const Fan& other);
 
@@ -48,6 +54,7 @@ private:
     Near near_modify(const Op& op, const Vec2& p, double radius);
     Near near_images(const Op& op, const Vec2& p, double radius);
     Near near_warp(const Op& op, const Vec2& p, double radius);
+    bool warps_smoothly(const Op& op, const Vec2& local, const Vec2& half, std::vector<sdf::Warped>& seen) const;
     const sdf::Outline& outline_of(int index);
 
     const Field& field_;

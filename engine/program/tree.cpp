@@ -14,12 +14,6 @@ namespace {
 using sdf::Form;
 using sdf::Sample;
 
-/// The direction that `m` maps to d.
-Vec2 direction_before(const Similarity& m, const Vec2& d) {
-    const double x = m.cosine * d.x() + m.sine * d.y(), y = m.cosine * d.y() - m.sine * d.x();
-    return {x, m.mirrored ? -y : y};
-}
-
 const double* params_of(const Field& field, const Op& op) { return field.params.data() + op.params; }
 const Op& op_at(const Field& field, int op) { return at(field.ops, op); }
 int child_of(const Field& field, const Op& op, int i) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "engine/sdf/outline_distance.h"
 #include "engine/sdf/piece.h"
@@ -98,6 +99,22 @@ void pack_outline(const Outline& outline, int most_pieces, double* out) {
                                c.curvature, c.corner_x, c.corner_y})
             *out++ = v;
     }
+}
+
+Outline unpacked_outline(const double* packed) {
+    Outline out;
+    for (int i = 0; i < static_cast<int>(packed[0]); ++i) {
+        const double* v = packed + packed_head_size + packed_piece_size * i;
+        const Vec2 a(v[0], v[1]), start(v[2], v[3]), b(v[4], v[5]), apex(v[8], v[9]), normal(v[10], v[11]);
+        const double curvature = v[12];
+        if (curvature == 0) {
+            out.push_back(Piece::segment(a, b));
+            continue;
+        }
+        const bool is_full_circle = start == Vec2(0, 0);
+        out.push_back(Piece::arc(apex - normal / curvature, 1 / std::fabs(curvature), a, b, curvature > 0 ? 1 : -1, is_full_circle));
+    }
+    return out;
 }
 
 std::vector<double> found_outline_block(const Outline& outline) {

@@ -39,6 +39,8 @@ Box2 bounds_of(const Outline& outline);
 constexpr int packed_outline_size(int pieces) { return packed_head_size + 2 * packed_piece_size * pieces; }
 /// Writes the head and then every piece (PackedPiece, in order) to `out`, which holds packed_outline_size(most_pieces) reals.
 void pack_outline(const Outline& outline, int most_pieces, double* out);
+/// The pieces of a packed outline, in order, in its frame.
+Outline unpacked_outline(const double* packed);
 /// The block of an outline of any length, for found_outline.h: with boxes where it is long.
 std::vector<double> found_outline_block(const Outline& outline);
 

@@ -4,10 +4,13 @@
 
 namespace pinfield::test {
 
+/// Pairs are drawn between braces, in which every compiler goes from left to right.
 class RandomConstruction {
 public:
     /// `thinnest`: of walls and pins, in sizes of the solid, which is about half a metre large.
-    RandomConstruction(Scene& scene, std::uint64_t seed, double thinnest) : scene_(scene), random_(seed), thinnest_(thinnest) {}
+    /// Without `curves` all shapes have outlines of lines and arcs.
+    RandomConstruction(Scene& scene, std::uint64_t seed, double thinnest, bool curves = true)
+        : scene_(scene), random_(seed), thinnest_(thinnest), curves_(curves) {}
 
     NodeId grow(NodeId parent, int depth) {
         if (depth == 0) return leaf(parent);
@@ -54,7 +57,7 @@ private:
             const double x = random_.in(0.05, 0.2);
             set(node, "wavelength", Vec2(x, random_.in(0.05, 0.2)));
         }
-        if (key == "elongate") set(node, "by", Vec2(thickness(), thickness()));
+        if (key == "elongate") set(node, "by", Vec2{thickness(), thickness()});
         if (key == "onion") set(node, "thickness", thickness());
         if (key == "round") set(node, "radius", thickness());
         if (key == "inset") set(node, "distance", 0.1 * thickness());
@@ -63,13 +66,13 @@ private:
 
     NodeId leaf(NodeId parent) {
         NodeId id;
-        switch (pick(6)) {
-            case 0: id = add(scene_, "box", parent, {{"size", Vec2(random_.in(0.2, 0.5), thickness())}}); break;
+        switch (pick(curves_ ? 6 : 5)) {
+            case 0: id = add(scene_, "box", parent, {{"size", Vec2{random_.in(0.2, 0.5), thickness()}}}); break;
             case 1: id = add(scene_, "circle", parent, {{"radius", 0.5 * thickness()}}); break;
-            case 2: id = add(scene_, "box", parent, {{"size", Vec2(random_.in(0.1, 0.3), random_.in(0.1, 0.3))}}); break;
+            case 2: id = add(scene_, "box", parent, {{"size", Vec2{random_.in(0.1, 0.3), random_.in(0.1, 0.3)}}}); break;
             case 3: id = add(scene_, "ring", parent, {{"radius", random_.in(0.1, 0.2)}, {"thickness", std::max(thickness(), 0.0003)}}); break;
-            case 4: id = add(scene_, "ellipse", parent, {{"radii", Vec2(random_.in(0.1, 0.25), random_.in(0.03, 0.1))}}); break;
-            default: id = add(scene_, "capsule", parent, {{"length", random_.in(0.1, 0.3)}, {"radius", 0.5 * thickness()}}); break;
+            case 4: id = add(scene_, "capsule", parent, {{"length", random_.in(0.1, 0.3)}, {"radius", 0.5 * thickness()}}); break;
+            default: id = add(scene_, "ellipse", parent, {{"radii", Vec2{random_.in(0.1, 0.25), random_.in(0.03, 0.1)}}}); break;
         }
         place(id, 0.1);
         return id;
@@ -78,6 +81,7 @@ private:
     Scene& scene_;
     CounterRng random_;
     double thinnest_;
+    bool curves_;
 };
 
 }  // namespace pinfield::test

@@ -248,3 +248,47 @@ TEST_CASE("what is cut from itself or common to what is apart is no solid, and i
     REQUIRE(told.size() == empty.size());
     for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i].message.starts_with("nothing is left of this"));
 }
+
+// Together with something far away it is not dropped, and its formula can be asked.
+TEST_CASE("what was found to be no solid is solid nowhere") {
+    int dropped = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        const auto grown = [&](bool with_another) {
+            Scene scene(catalog());
+            set(scene.table(), "size", Vec2(2, 2));
+            const NodeId both = with_another ? add(scene, "union") : NodeId{};
+            const NodeId top = RandomConstruction(scene, seed, thinnest).grow(both, 1 + static_cast<int>(seed % 5));
+            set(*scene.find(top), "at", Vec2(1, 1));
+            if (with_another) add(scene, "circle", both, {{"radius", 0.01}, {"at", Vec2(0.1, 0.1)}});
+            return std::pair(compiled(scene), top);
+        };
+        if (!grown(false).first->fixed.solids[0].is_domain) continue;
+        ++dropped;
+        const auto [program, top] = grown(true);
+        const Field& field = program->fixed;
+        int op = 0;
+        while (at(field.ops, op).origin != top) ++op;
+        while (op + 1 < static_cast<int>(field.ops.size()) && at(field.ops, op + 1).origin == top) ++op;
+        INFO("seed " << seed);
+        CounterRng random(seed, 9);
+        for (int i = 0; i < 4000; ++i) {
+            const Vec2 p{random.in(0.6, 1.4), random.in(0.6, 1.4)};
+            REQUIRE(tree_value(field, op, p) >= 0);
+        }
+    }
+    CHECK(dropped > 3);
+}
+
+TEST_CASE("a filled elongation has its boundary, however little it is pulled apart") {
+    for (const double by : {0.0002, 0.0005, 0.002})
+        for (int i = 0; i < 12; ++i) {
+            Scene scene(catalog());
+            set(scene.table(), "size", Vec2(1, 1));
+            const NodeId strip = add(scene, "elongate", {}, {{"at", Vec2(0.5, 0.5)}, {"turn", 13.0 * i}, {"by", Vec2(by, 0.3)}});
+            const NodeId two = add(scene, "union", strip);
+            add(scene, "box", two, {{"size", Vec2(0.1, 0.1)}, {"at", Vec2(0.05 + 0.0001 * i + 0.4 * by, 0)}});
+            Found found;
+            judge(compiled(scene)->fixed, static_cast<std::uint64_t>(i), found);
+            CHECK(found.solids == 1);
+        }
+}

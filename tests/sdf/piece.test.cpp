@@ -6,6 +6,7 @@
 
 #include "engine/core/rng.h"
 #include "engine/core/trig.h"
+#include "engine/sdf/outline_path.h"
 
 namespace pinfield::sdf {
 namespace {
@@ -51,6 +52,31 @@ void for_pieces(const Test& test) {
 }
 
 }  // namespace
+
+TEST_CASE("a packed outline is unpacked as it was, arcs of more than half a turn in two") {
+    CounterRng random(21);
+    for (int i = 0; i < 200; ++i) {
+        Outline outline;
+        for (int k = 0; k < 5; ++k) outline.push_back(RandomPiece(random).piece);
+        const Vec2 centre = random_point(random, -1, 1);
+        const double radius = random.in(0.1, 1);
+        outline.push_back(Piece::circle(centre, radius, i % 2 ? 1 : -1));
+        const Outline back = unpacked_outline(found_outline_block(outline).data());
+        std::size_t next = 0;
+        for (const Piece& piece : outline) {
+            const bool halves = piece.reflex && !piece.is_full_circle();
+            const Piece &first = back.at(next), &last = back.at(next + (halves ? 1 : 0));
+            next += halves ? 2 : 1;
+            CHECK(first.a == piece.a);
+            CHECK(last.b == piece.b);
+            CHECK(last.turn == piece.turn);
+            CHECK(last.is_full_circle() == piece.is_full_circle());
+            if (piece.is_arc()) CHECK(length(last.centre - piece.centre) < 1e-12);
+            if (piece.is_arc()) CHECK(last.radius == Approx(piece.radius).epsilon(1e-12));
+        }
+        CHECK(next == back.size());
+    }
+}
 
 TEST_CASE("a piece and its reflection, its quarter turn and its reverse have the same distances bit for bit") {
     CounterRng random(6);
