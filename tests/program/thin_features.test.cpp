@@ -246,7 +246,7 @@ TEST_CASE("what is cut from itself or common to what is apart is no solid, and i
     CHECK(program->movers[0].bounding_radius == 0);
     const Diagnostics told = warnings_of(*program, scene);
     REQUIRE(told.size() == empty.size());
-    for (std::size_t i = 0; i < told.size(); ++i) CHECK(told[i].message.starts_with("nothing is left of this"));
+    for (const Diagnostic& warning : told) CHECK(warning.message.starts_with("nothing is left of this"));
 }
 
 // Together with something far away it is not dropped, and its formula can be asked.

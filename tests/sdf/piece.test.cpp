@@ -19,12 +19,10 @@ Vec2 random_point(CounterRng& random, double lo, double hi) {
 /// A segment, or an arc that runs either way by 1 to 359 degrees.
 struct RandomPiece {
     Piece piece;
-    double from = 0, sweep = 0;  // degrees, of an arc: counter-clockwise from its first end
+    double from, sweep;  // degrees, of an arc: counter-clockwise from its first end
 
-    explicit RandomPiece(CounterRng& random) {
+    explicit RandomPiece(CounterRng& random) : from(random.in(-180, 180)), sweep(random.in(1, 359)) {
         const Vec2 a = random_point(random, -1, 1), b = random_point(random, -1, 1);
-        from = random.in(-180, 180);
-        sweep = random.in(1, 359);
         const double r = random.in(0.1, 1);
         const int turn = random.uniform() < 0.5 ? 1 : -1;
         const auto on = [&](double angle) { return Vec2(a + r * Vec2(cosine_degrees(angle), sine_degrees(angle))); };
