@@ -84,8 +84,8 @@ int Scene::index_of(NodeId id) const {
 }
 
 bool Scene::is_within(NodeId node, NodeId ancestor) const {
-    for (; node; node = find(node)->parent)
-        if (node == ancestor) return true;
+    for (const Node* at = find(node); at; at = find(at->parent))
+        if (at->id == ancestor) return true;
     return false;
 }
 

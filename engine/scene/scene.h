@@ -106,7 +106,7 @@ public:
     int index_of(NodeId id) const;
     /// The children of a node, or, for none, the top level.
     const std::vector<NodeId>& children_of(NodeId parent) const { return parent ? find(parent)->children : roots_; }
-    /// Is `node` the node `ancestor`, or in it?
+    /// Is `node` the node `ancestor`, or in it? One that is not there is in nothing: a program may still hold it.
     bool is_within(NodeId node, NodeId ancestor) const;
 
     const Node* find(NodeId id) const;

@@ -48,6 +48,19 @@ TEST_CASE("a node is found by its id, else by its path among siblings of its typ
     CHECK(scene.find("") == nullptr);
 }
 
+TEST_CASE("a node is within itself and all above it, and one that is gone is within nothing") {
+    Scene scene(catalog());
+    const NodeId outer = add(scene, "union").id, inner = add(scene, "circle", outer).id, gone = add(scene, "box", outer).id;
+    apply(scene, Remove{gone});
+    for (const NodeId node : {outer, inner}) CHECK(scene.is_within(node, node));
+    CHECK(scene.is_within(inner, outer));
+    CHECK_FALSE(scene.is_within(outer, inner));
+    for (const NodeId other : {outer, inner, gone}) {
+        CHECK_FALSE(scene.is_within(gone, other));
+        CHECK_FALSE(scene.is_within(other, gone));
+    }
+}
+
 TEST_CASE("all ids come in file order, parents before children") {
     Scene scene(catalog());
     const NodeId a = add(scene, "union").id, b = add(scene, "circle").id, c = add(scene, "box", a).id;
