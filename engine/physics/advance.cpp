@@ -134,7 +134,8 @@ namespace {
 /// event are brought to it, and only plans that it changes are made again.
 class CoupledTick {
 public:
-    explicit CoupledTick(WorldState& w) : w_(w), h_(w.physics.step) {}
+    explicit CoupledTick(WorldState& w)
+        : w_(w), h_(w.physics.step), pairs_(w.options.balls_collide && w.options.sweep && w.balls.size() > 1) {}
 
     void run() {
         for (std::size_t m = 0; m < w_.movers.size(); ++m) plan_stop(w_, m);
@@ -143,6 +144,8 @@ public:
             plan_fixed(to_index(i));
             plan_movers(to_index(i));
         }
+        for (const int i : w_.coupled) at(w_.work, i).coupled = true;
+        for (const int i : w_.coupled) widen_reach(to_index(i));
         for (const int i : w_.coupled) plan_pairs(to_index(i));
         while (step()) {}
         for (const int i : w_.coupled) {
@@ -287,8 +290,11 @@ private:
     void replan_ball(std::size_t i) {
         plan_fixed(i);
         plan_movers(i);
+        if (!pairs_) return;
+        widen_reach(i);
         plan_pairs(i);
-        for (const int k : w_.coupled)
+        reachable(i, partners_);
+        for (const int k : partners_)
             if (at(w_.plans, k).partner == static_cast<int>(i) && to_index(k) != i) plan_pairs(to_index(k));
     }
 
@@ -354,12 +360,35 @@ private:
         return from + sweep_piece(disc, relative, h_ - from, w_.physics.ball_radius, w_.band, evaluations).time;
     }
 
+    /// How far ball i may come from its place when the tick began, as it moves by now.
+    void widen_reach(std::size_t i) {
+        if (!pairs_) return;
+        BallWork& work = w_.work[i];
+        const double way = moves(i) ? motion_of(w_, i).travel(std::max(0.0, h_ - work.time)) : 0.0;
+        work.reach = std::max(work.reach, length(w_.balls[i].position - w_.order.place(i)) + way);
+        longest_reach_ = std::max(longest_reach_, work.reach);
+    }
+
+    /// The balls that may have met ball i when the tick is over, or plan to. Two that are too far from each other for what they do by now
+    /// are asked again when one of them is replanned.
+    void reachable(std::size_t i, std::vector<int>& out) const {
+        const double touch = 2 * w_.physics.ball_radius + 2 * w_.band.tolerance;
+        w_.order.near(w_.order.place(i), touch + w_.work[i].reach + longest_reach_, out);
+        std::erase_if(out, [&](int k) {
+            const BallWork& other = at(w_.work, k);
+            const double reach = touch + w_.work[i].reach + other.reach;
+            const Vec2 apart = w_.order.place(i) - w_.order.place(to_index(k));
+            return !other.coupled || dot(apart, apart) > reach * reach;
+        });
+    }
+
     void plan_pairs(std::size_t i) {
         BallPlan& plan = w_.plans[i];
         plan.pair_time = infinity;
         plan.partner = -1;
-        if (!w_.options.balls_collide || !w_.options.sweep) return;
-        for (const int k : w_.coupled) {
+        if (!pairs_) return;
+        reachable(i, w_.nearby);
+        for (const int k : w_.nearby) {
             const std::size_t j = to_index(k);
             if (j == i || (!moves(i) && !moves(j)) || !share_layer(w_.balls[i], w_.balls[j])) continue;
             const double time = meeting(std::min(i, j), std::max(i, j));
@@ -376,7 +405,10 @@ private:
 
     WorldState& w_;
     double h_;
+    bool pairs_;                 ///< balls may meet each other
+    double longest_reach_ = 0;
     std::vector<double> rates_;
+    std::vector<int> partners_;
 };
 
 }  // namespace

@@ -56,9 +56,11 @@ bool above(const WorldState& w, std::size_t a, std::size_t b) {
 
 void take_pairs(WorldState& w) {
     const double reach = touching_distance(w);
-    for (std::size_t i = 0; i < w.balls.size(); ++i)
-        for (std::size_t j = i + 1; j < w.balls.size(); ++j) {
-            if (!takes_part(w, i) || !takes_part(w, j) || !near_enough(w, i, j, reach)) continue;
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
+        w.order.near(w.balls[i].position, reach, w.nearby);
+        for (const int near : w.nearby) {
+            const std::size_t j = to_index(near);
+            if (j <= i || !takes_part(w, i) || !takes_part(w, j) || !share_layer(w.balls[i], w.balls[j])) continue;
             if (w.balls[i].state == BallState::resting && w.balls[j].state == BallState::resting) continue;
             const bool over = above(w, i, j);
             PileContact c;
@@ -73,6 +75,7 @@ void take_pairs(WorldState& w) {
             w.pile.push_back(c);
             w.work[i].piled = w.work[j].piled = true;
         }
+    }
 }
 
 /// What ball i stands on, of a field that stands still as `pose` says.
@@ -242,17 +245,21 @@ void wake(WorldState& w, std::size_t i) {
 }
 
 void wake_piles(WorldState& w) {
-    if (!w.options.balls_collide) return;
+    const auto rests = [](const Ball& ball) { return ball.state == BallState::resting; };
+    if (!w.options.balls_collide || std::none_of(w.balls.begin(), w.balls.end(), rests)) return;
+    w.order.take(w.balls);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (w.balls[i].state != BallState::rolling) continue;
-        for (std::size_t j = 0; j < w.balls.size(); ++j)
-            if (w.balls[j].state == BallState::resting && near_enough(w, i, j, touching_distance(w))) wake(w, j);
+        w.order.near(w.balls[i].position, touching_distance(w), w.nearby);
+        for (const int j : w.nearby)
+            if (rests(at(w.balls, j)) && share_layer(w.balls[i], at(w.balls, j))) wake(w, to_index(j));
     }
 }
 
 void settle_piles(WorldState& w) {
     w.pile.clear();
     if (!w.options.balls_collide || !w.options.sweep || w.balls.size() < 2) return;
+    w.order.take(w.balls);
     take_pairs(w);
     if (w.pile.empty()) return;
     std::sort(w.pile.begin(), w.pile.end(), [&](const PileContact& a, const PileContact& b) {

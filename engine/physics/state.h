@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/core/at.h"
+#include "engine/physics/ball_order.h"
 #include "engine/physics/mechanisms/mechanism.h"
 #include "engine/physics/persistent_state.h"
 #include "engine/physics/sweep_field.h"
@@ -73,6 +74,7 @@ struct BallWork {
     Held held;                   ///< what surfaces do to it on its way: on parabolas only
     bool coupled = false;        ///< its tick is run together with others'
     bool piled = false;          ///< it touches other balls, and its contacts were settled together: its path is straight
+    double reach = 0;            ///< metres: how far from its place in `order` it may come in this tick, as it moves by now
     Vec2 late_kick{0, 0};        ///< m/s: what of its acceleration, on what would be a parabola, it gets when the tick ends
     int told = 0;                ///< hits and kicks
     bool jammed = false;         ///< a mover that does not yield has pressed it against what does not either, in this tick
@@ -128,6 +130,8 @@ struct WorldScratch {
     std::vector<Touch> touches;
     std::vector<int> coupled;
     std::vector<double> ways;        ///< metres that each ball goes in this tick if nothing adds speed
+    BallOrder order;                 ///< where balls are when they are asked for their neighbours
+    std::vector<int> nearby;
     std::vector<BallPlan> plans;     ///< of the balls in `coupled`, by their index among all
     std::vector<Ball> balls_before;
     std::vector<PileContact> pile;

@@ -104,19 +104,28 @@ void mark_coupled(WorldState& w) {
     };
     for (std::size_t i = 0; i < w.balls.size(); ++i)
         w.work[i].coupled = runs(i) && mover_near(w, i, ways[i], w.balls[i].state == BallState::resting);
-    for (std::size_t i = 0; i < w.balls.size(); ++i)
-        if (runs(i) && w.balls[i].state == BallState::rolling)
-            for (std::size_t j = 0; j < w.balls.size(); ++j)
-                if (j != i && runs(j) && within(i, j, touch + ways[i] + ways[j])) w.work[i].coupled = w.work[j].coupled = true;
+    w.order.take(w.balls);
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
+        if (!runs(i) || w.balls[i].state != BallState::rolling) continue;
+        w.order.near(w.balls[i].position, touch + ways[i] + longest, w.nearby);
+        for (const int near : w.nearby) {
+            const std::size_t j = to_index(near);
+            if (j != i && runs(j) && within(i, j, touch + ways[i] + ways[j])) w.work[i].coupled = w.work[j].coupled = true;
+        }
+    }
     w.coupled.clear();
     for (std::size_t i = 0; i < w.balls.size(); ++i)
         if (w.work[i].coupled) w.coupled.push_back(static_cast<int>(i));
-    for (std::size_t k = 0; k < w.coupled.size(); ++k)
-        for (std::size_t j = 0; j < w.balls.size(); ++j) {
-            if (w.work[j].coupled || !runs(j) || !within(to_index(w.coupled[k]), j, touch + longest + ways[j])) continue;
+    for (std::size_t k = 0; k < w.coupled.size(); ++k) {
+        const std::size_t i = to_index(w.coupled[k]);
+        w.order.near(w.balls[i].position, touch + 2 * longest, w.nearby);
+        for (const int near : w.nearby) {
+            const std::size_t j = to_index(near);
+            if (w.work[j].coupled || !runs(j) || !within(i, j, touch + longest + ways[j])) continue;
             w.work[j].coupled = true;
-            w.coupled.push_back(static_cast<int>(j));
+            w.coupled.push_back(near);
         }
+    }
 }
 
 /// A ball that did not change a bit in a whole tick, touching something, will not change in the next one either.
@@ -192,6 +201,7 @@ void couple_everybody(WorldState& w) {
         }
     std::erase_if(w.events, [](const Event& event) { return event.ball.value != 0; });
     w.paths.clear();
+    w.order.take(w.balls);
     w.coupled.clear();
     for (std::size_t i = 0; i < w.balls.size(); ++i)
         if (w.in_play(i) && !w.memories[i].embedded) w.coupled.push_back(static_cast<int>(i));
