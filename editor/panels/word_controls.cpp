@@ -99,6 +99,7 @@ void names_control(const Row& row) {
         return text_control(row, row.width, row.mixed() ? mixed_word : text, "none");
     }
     const Theme& theme = row.theme();
+    std::optional<std::pair<std::string, bool>> toggled;  // changed behind the loop: a change replaces the list that it walks
     ImGui::BeginGroup();
     float x = 0;
     for (const InputBinding& input : inputs) {
@@ -109,11 +110,12 @@ void names_control(const Row& row) {
         x += width + theme.px(5);
         ImGui::PushStyleColor(ImGuiCol_Button, on ? palette::accent_deep : palette::field);
         ImGui::PushStyleColor(ImGuiCol_Text, on ? palette::text : palette::quiet);
-        if (ImGui::Button(input.name.c_str(), {width, 0}))
-            row.change(change_all, [&](const Value& before) { return std::optional(with_name(before, input.name, !on)); });
+        if (ImGui::Button(input.name.c_str(), {width, 0})) toggled = {input.name, !on};
         ImGui::PopStyleColor(2);
     }
     ImGui::EndGroup();
+    if (toggled)
+        row.change(change_all, [&](const Value& before) { return std::optional(with_name(before, toggled->first, toggled->second)); });
 }
 
 void material_control(const Row& row) {
