@@ -34,10 +34,10 @@ void keep_energy(WorldState& w, std::size_t i, const Motion& path, double dt) {
     const double r = w.physics.ball_radius;
     const auto slip = [&](const Vec2& velocity) { return dot(velocity, held.along) - r * ball.spin; };
     const Vec2 way = dt * path.velocity + (0.5 * dt * dt) * path.acceleration;
-    const double slip_before = slip(path.velocity), kinetic = twice_kinetic(ball, path.velocity, r);
+    const double slip_before = slip(path.velocity), kinetic = twice_kinetic(w.physics, ball, path.velocity);
     ball.spin += dt * held.spin_acceleration;
     const double rubbed = held.friction * (slip_before + slip(ball.velocity)) * dt;
-    const double kept = kinetic + 2 * dot(w.physics.gravity, way) + rubbed, now = twice_kinetic(ball, ball.velocity, r);
+    const double kept = kinetic + 2 * dot(w.physics.gravity, way) + rubbed, now = twice_kinetic(w.physics, ball, ball.velocity);
     if (now <= 0) return;
     const double scale = kept > 0 ? std::sqrt(kept / now) : 0.0;
     ball.velocity *= scale;

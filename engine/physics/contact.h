@@ -29,10 +29,14 @@ double bend_of(const WorldState& w, const Ball& ball, const Contact& c, double a
 /// instead would add (h/2 - s) g.dv. On exact parabolas the lead is zero.
 Vec2 lead_of(const WorldState& w, std::size_t i);
 
-/// Twice the kinetic energy per mass of a ball with this velocity: a disc has half of m r^2 for inertia.
-inline double twice_kinetic(const Ball& ball, const Vec2& velocity, double radius) {
-    return dot(velocity, velocity) + 0.5 * radius * radius * ball.spin * ball.spin;
+/// Twice the kinetic energy per mass of a ball with this velocity.
+inline double twice_kinetic(const PhysicsRecord& p, const Ball& ball, const Vec2& velocity) {
+    return dot(velocity, velocity) + p.ball_inertia * p.ball_radius * p.ball_radius * ball.spin * ball.spin;
 }
+/// How much more easily than its centre the place where a ball touches yields to an impulse along the surface: it turns away as well.
+inline double slip_yield(const PhysicsRecord& p) { return 1 + 1 / p.ball_inertia; }
+/// What such an impulse, per mass, adds to the spin.
+inline double spin_gained(const PhysicsRecord& p, double impulse) { return -impulse / p.ball_inertia / p.ball_radius; }
 
 /// What the impulses at one instant may leave of a ball's energy, in units of twice_kinetic().
 struct Budget {

@@ -137,9 +137,9 @@ double relax(WorldState& w, PileContact& c) {
     if (c.friction > 0) {
         const Vec2 t = perpendicular(c.normal);
         const double rubbed = c.rubbed, slip = dot(t, ball.velocity) - r * ball.spin, cone = c.friction * c.pressed;
-        c.rubbed = std::clamp(rubbed - slip / 3, -cone, cone);
+        c.rubbed = std::clamp(rubbed - slip / slip_yield(w.physics), -cone, cone);
         ball.velocity += (c.rubbed - rubbed) * t;
-        ball.spin -= 2 * (c.rubbed - rubbed) / r;
+        ball.spin += spin_gained(w.physics, c.rubbed - rubbed);
         change = std::max(change, std::fabs(c.rubbed - rubbed));
     }
     return change;

@@ -111,22 +111,22 @@ double bounce(Meeting& m, double normal) {
     return gained;
 }
 
-/// Along the surface: slip' = e_t slip within the Coulomb cone. A disc's slip yields three times as easily as its centre. Where the ball
-/// stays, its slip is to be gone when the tick ends; where it bounces, the law is for the slip of which energy is made. Either way friction
-/// does no work: it reverses that slip at most. Returns what it takes, in units of twice_kinetic().
+/// Along the surface: slip' = e_t slip within the Coulomb cone. Where the ball stays, its slip is to be gone when the tick ends; where it
+/// bounces, the law is for the slip of which energy is made. Either way friction does no work: it reverses that slip at most. Returns what
+/// it takes, in units of twice_kinetic().
 double rub(Meeting& m, double slip, double gained) {
     const bool frictionless = m.w.options.restitution.has_value();
     const double tangential = frictionless ? 1.0 : m.impact.collapsed && m.material.tangential < 1 ? 0.0 : m.material.tangential;
     const double true_slip = slip + dot(m.t, m.lead);
     if (tangential == 1 || (slip == 0 && true_slip == 0)) return 0;
-    const double share = m.mass * m.surface.lever_tangent * m.surface.lever_tangent * m.surface.yielding, easily = 3 + share;
+    const double share = m.mass * m.surface.lever_tangent * m.surface.lever_tangent * m.surface.yielding, yields = slip_yield(m.w.physics), easily = yields + share;
     const double wanted = m.impact.collapsed ? -slip / easily : -(1 - tangential) * true_slip / easily;
     const double cone = m.material.friction * gained, reversed = -2 * true_slip / easily;
     const double pull = std::clamp(std::clamp(wanted, -cone, cone), std::min(0.0, reversed), std::max(0.0, reversed));
     m.ball.velocity += pull * m.t;
-    m.ball.spin -= 2 * pull / m.w.physics.ball_radius;
+    m.ball.spin += spin_gained(m.w.physics, pull);
     if (m.surface.yielding > 0) at(m.w.movers, m.c.mover).rate -= pull * m.mass * m.surface.lever_tangent * m.surface.yielding;
-    return -pull * (2 * true_slip + 3 * pull);
+    return -pull * (2 * true_slip + yields * pull);
 }
 
 /// Kicks the ball where the part does, and notes the impact. True when it kicked.

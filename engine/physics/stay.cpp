@@ -45,7 +45,8 @@ double friction_of(const WorldState& w, std::size_t i, const Contact& c, double 
     if (left <= 0 || press <= 0 || !grip_of(w, c).rubs) return 0;
     const double slip = dot(ball.velocity, perpendicular(c.normal)) - w.physics.ball_radius * ball.spin;
     const double cone = at(w.program().materials, surface_of(w, c).material).friction * press;
-    const double wanted = -(slip / left + along) / 3, reversed = -(2 * slip / left + along) / 3;
+    const double yields = slip_yield(w.physics);
+    const double wanted = -(slip / left + along) / yields, reversed = -(2 * slip / left + along) / yields;
     return std::clamp(std::clamp(wanted, -cone, cone), std::min(0.0, reversed), std::max(0.0, reversed));
 }
 
@@ -63,21 +64,20 @@ Vec2 lead_of(const WorldState& w, std::size_t i) {
 
 Budget budget_of(const WorldState& w, std::size_t i) {
     Budget budget;
-    budget.kinetic = twice_kinetic(w.balls[i], w.balls[i].velocity + lead_of(w, i), w.physics.ball_radius);
+    budget.kinetic = twice_kinetic(w.physics, w.balls[i], w.balls[i].velocity + lead_of(w, i));
     return budget;
 }
 
 // The speed is scaled, so that the ball keeps its direction, which no surface bars, and a ball that rolls goes on rolling:
-// |k v + lead|^2 + (k r spin)^2 / 2 = budget is a quadratic for k.
+// twice_kinetic() of k v + lead and k spin = budget is a quadratic for k.
 void balance(WorldState& w, std::size_t i, const Budget& budget, const Vec2& lifted) {
     if (budget.open) return;
     Ball& ball = w.balls[i];
-    const double r = w.physics.ball_radius;
     const Vec2 lead = lead_of(w, i);
     const double target = budget.kinetic - budget.lost + 2 * dot(w.physics.gravity, lifted);
-    const double moves = twice_kinetic(ball, ball.velocity, r), least = rounding_of_rest * w.physics.rest_speed;
+    const double moves = twice_kinetic(w.physics, ball, ball.velocity), least = rounding_of_rest * w.physics.rest_speed;
     if (moves <= least * least) return;
-    const bool grows = twice_kinetic(ball, ball.velocity + lead, r) > target;
+    const bool grows = twice_kinetic(w.physics, ball, ball.velocity + lead) > target;
     if (!grows && !budget.turns) return;
     const double along = dot(ball.velocity, lead), spare = target - dot(lead, lead), root = along * along + moves * spare;
     const double scale = std::max(0.0, ((root > 0 ? std::sqrt(root) : 0.0) - along) / moves);
@@ -155,7 +155,7 @@ void constrain(WorldState& w, std::size_t i) {
         const double friction = friction_of(w, i, *only, load, dot(t, a));
         press(w, w.balls[i].id, n, std::max(0.0, load) * (w.physics.step - work.time));
         a += friction * t - turning * n;
-        work.held = {true, t, friction, -2 * friction / w.physics.ball_radius};
+        work.held = {true, t, friction, spin_gained(w.physics, friction)};
     } else {
         work.held.by_surface = true;
     }

@@ -46,6 +46,26 @@ void begin_tick(WorldState& w, std::size_t i) {
     w.work[i].acceleration = acceleration;
 }
 
+/// What the playfield takes of a ball that goes on it, as a force of fixed size against its way: v' = v - h a v / |v|. A ball that this
+/// would turn back stands, and only what gravity, with what it touches, has more than the playfield sets it going. Spin dies likewise, at
+/// the edge. Asked when contact has taken its share of gravity.
+void resist(WorldState& w, std::size_t i) {
+    const double taken = w.physics.step * w.physics.rolling_resistance;
+    if (taken <= 0 || w.memories[i].embedded) return;
+    Ball& ball = w.balls[i];
+    BallWork& work = w.work[i];
+    const auto left_of = [taken](double speed) { return speed > taken ? 1 - taken / speed : 0.0; };
+    if (length(ball.velocity) <= taken) {
+        const Vec2 later = ball.velocity + w.physics.step * work.acceleration;
+        ball.velocity = {0, 0};
+        work.acceleration = left_of(length(later)) / w.physics.step * later;
+        if (work.acceleration == Vec2(0, 0)) work.held = {};
+    } else {
+        ball.velocity *= left_of(length(ball.velocity));
+    }
+    ball.spin *= left_of(w.physics.ball_radius * std::fabs(ball.spin));
+}
+
 double longest_way(const WorldState& w, std::size_t i) {
     const Motion path{w.balls[i].position, w.balls[i].velocity, w.work[i].acceleration};
     return path.travel(w.physics.step);
@@ -198,6 +218,7 @@ void couple_everybody(WorldState& w) {
             std::erase_if(w.impulses, [&](const Impulse& impulse) { return impulse.ball == w.balls[i].id; });
             begin_tick(w, i);
             keep_contact(w, i);
+            resist(w, i);
         }
     std::erase_if(w.events, [](const Event& event) { return event.ball.value != 0; });
     w.paths.clear();
@@ -295,8 +316,10 @@ void run_tick(WorldState& w) {
         if (w.in_play(i)) begin_tick(w, i);
     }
     settle_piles(w);
-    for (std::size_t i = 0; i < w.balls.size(); ++i)
+    for (std::size_t i = 0; i < w.balls.size(); ++i) {
         if (w.memories[i].slide_tick == w.tick - 1 && w.in_play(i) && !w.work[i].piled) keep_contact(w, i);
+        if (w.in_play(i)) resist(w, i);
+    }
     run_uncoupled(w);
     advance_coupled(w);
     for (std::size_t i = 0; i < w.balls.size(); ++i) {

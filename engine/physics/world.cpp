@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/at.h"
+#include "engine/physics/contact.h"
 #include "engine/physics/start.h"
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
@@ -293,8 +294,7 @@ const Ball* World::find(BallId id) const {
 
 double World::energy(const Ball& ball) const {
     const PhysicsRecord& p = state_->physics;
-    const double inertia = 0.5 * p.ball_radius * p.ball_radius;  // of a disc, per mass
-    return p.ball_mass * (0.5 * dot(ball.velocity, ball.velocity) + 0.5 * inertia * ball.spin * ball.spin - dot(p.gravity, ball.position));
+    return p.ball_mass * (0.5 * twice_kinetic(p, ball, ball.velocity) - dot(p.gravity, ball.position));
 }
 
 double World::energy() const {

@@ -152,7 +152,11 @@ PhysicsRecord compile_physics(const Scene& scene) {
     PhysicsRecord out;
     out.step = settings.step;
     out.integrator = settings.integrator;
-    out.gravity = {0, -earth_gravity * sine_degrees(table.slope)};
+    // Rolling without slip, a force on the centre has the ball's mass and its inertia to move: (1 + k) m.
+    out.ball_inertia = settings.ball_inertia == BallShape::sphere ? 0.4 : 0.5;
+    const double moved = settings.ball_rolls ? 1 + out.ball_inertia : 1.0;
+    out.gravity = {0, -earth_gravity * sine_degrees(table.slope) / moved};
+    out.rolling_resistance = settings.rolling_resistance * earth_gravity * cosine_degrees(table.slope) / moved;
     out.ball_radius = settings.ball_radius;
     out.ball_mass = settings.ball_mass;
     out.ball_restitution = settings.ball_restitution;

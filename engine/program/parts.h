@@ -45,8 +45,10 @@ struct MaterialRecord {
 struct PhysicsRecord {
     double step = 0.001;
     Integrator integrator = Integrator::symplectic_euler;
-    Vec2 gravity{0, 0};  ///< m/s^2
+    Vec2 gravity{0, 0};  ///< m/s^2; of a ball that rolls on the playfield, what is left for its way
     double ball_radius = 0.0135, ball_mass = 0.08, ball_restitution = 0.8;
+    double ball_inertia = 0.5;        ///< in units of m r^2
+    double rolling_resistance = 0;    ///< m/s^2, against the way a ball goes on the playfield
     double tolerance = 1e-7, rest_speed = 0.005;
 };
 

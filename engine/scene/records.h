@@ -39,6 +39,8 @@ enum class Integrator : unsigned char { symplectic_euler, ballistic };
 constexpr std::array<std::string_view, 2> choice_names(Integrator) { return {"symplectic_euler", "ballistic"}; }
 enum class ContactModel : unsigned char { impulse };
 constexpr std::array<std::string_view, 1> choice_names(ContactModel) { return {"impulse"}; }
+enum class BallShape : unsigned char { disc, sphere };
+constexpr std::array<std::string_view, 2> choice_names(BallShape) { return {"disc", "sphere"}; }
 
 struct PhysicsSettings {
     double step = 0.001;
@@ -47,6 +49,9 @@ struct PhysicsSettings {
     double ball_radius = 0.0135;
     double ball_mass = 0.08;
     double ball_restitution = 0.8;
+    BallShape ball_inertia = BallShape::disc;
+    bool ball_rolls = false;
+    double rolling_resistance = 0;
     double tolerance = 1e-7;
     double rest_speed = 0.005;
 
@@ -63,6 +68,16 @@ struct PhysicsSettings {
                    field("ball_mass", &P::ball_mass, {.unit = Unit::kilogram, .min = above(0), .step = 0.001, .doc = "Mass of the balls."}),
                    field("ball_restitution", &P::ball_restitution,
                          {.min = from(0), .max = to(1), .step = 0.01, .doc = "Coefficient of restitution between balls."}),
+                   field("ball_inertia", &P::ball_inertia,
+                         {.doc = "What a ball is where it turns. disc: m r^2 / 2. sphere: 2 m r^2 / 5."}),
+                   field("ball_rolls", &P::ball_rolls,
+                         {.doc = "The ball rolls on the playfield: turning takes its share of what it falls, and gravity in the plane counts "
+                                 "2/3 for a disc, 5/7 for a sphere. Otherwise it glides."}),
+                   field("rolling_resistance", &P::rolling_resistance,
+                         {.min = from(0),
+                          .max = to(1),
+                          .step = 0.001,
+                          .doc = "Of the playfield: the share of the ball's weight on it that it takes to keep the ball moving. Steel on lacquer: 0.002."}),
                    field("tolerance", &P::tolerance,
                          {.unit = Unit::metre, .min = above(0), .max = to(0.001), .doc = "Gap at which a ball counts as touching."}),
                    field("rest_speed", &P::rest_speed,

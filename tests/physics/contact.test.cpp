@@ -90,7 +90,15 @@ struct Trial {
     double step = 1e-3;
 };
 
-/// A random outline, as a hollow for even numbers and as a bump in a room for odd ones, of some material on some slope.
+/// A disc or a sphere, that glides or rolls on a playfield that resists or does not.
+std::string random_ball(int n) {
+    CounterRng rng(static_cast<std::uint64_t>(n), 0xba115ba9e);
+    const bool sphere = rng.uniform() < 0.5, rolls = rng.uniform() < 0.5, resists = rng.uniform() < 0.5;
+    return "physics: {ball_inertia: " + std::string(sphere ? "sphere" : "disc") + ", ball_rolls: " + (rolls ? "true" : "false") +
+           ", rolling_resistance: " + number(resists ? rng.in(0, 0.05) : 0.0) + "}\n";
+}
+
+/// A random outline, as a hollow for even numbers and as a bump in a room for odd ones, of some material on some slope, with some ball.
 Trial random_trial(int n) {
     CounterRng rng(static_cast<std::uint64_t>(n), 0xc0117ac7);
     Trial trial;
@@ -98,7 +106,7 @@ Trial random_trial(int n) {
     trial.step = 1e-4 * std::pow(100.0, rng.uniform());
     const double friction[] = {0, 0, 0.1, 0.5, 100};
     const std::string outline = random_outline(rng, n / 4);
-    trial.text = "pinfield: 1\ntable: {size: [1, 1], slope: " + number(rng.in(2, 90)) + "}\nmaterials: {default: {restitution: " +
+    trial.text = "pinfield: 1\ntable: {size: [1, 1], slope: " + number(rng.in(2, 90)) + "}\n" + random_ball(n) + "materials: {default: {restitution: " +
                  number(rng.in(0, 0.8)) + ", friction: " + number(friction[n / 24 % 5]) + "}}\nscene:\n";
     if (n % 2) trial.text += "  - domain: {children: [box: {size: [1, 1], at: [0.5, 0.5]}]}\n  - " + outline + "\n";
     else trial.text += "  - domain: {children: [" + outline + "]}\n";

@@ -57,8 +57,9 @@ inline auto members(const MaterialRecord& material) {
     return std::tie(name, restitution, falloff, tangential, friction, scatter_degrees, color);
 }
 inline auto members(const PhysicsRecord& physics) {
-    const auto& [step, integrator, gravity, ball_radius, ball_mass, ball_restitution, tolerance, rest_speed] = physics;
-    return std::tie(step, integrator, gravity, ball_radius, ball_mass, ball_restitution, tolerance, rest_speed);
+    const auto& [step, integrator, gravity, ball_radius, ball_mass, ball_restitution, ball_inertia, rolling_resistance, tolerance, rest_speed] =
+        physics;
+    return std::tie(step, integrator, gravity, ball_radius, ball_mass, ball_restitution, ball_inertia, rolling_resistance, tolerance, rest_speed);
 }
 
 /// The order in which a hierarchy visits its entries says all that can be observed of it.
