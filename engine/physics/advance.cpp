@@ -4,6 +4,7 @@
 
 #include "engine/core/at.h"
 #include "engine/physics/contact.h"
+#include "engine/physics/drain.h"
 
 namespace pinfield {
 
@@ -51,12 +52,15 @@ void advance_ball(WorldState& w, std::size_t i, double dt) {
     BallWork& work = w.work[i];
     if (dt <= 0) return;
     const Motion path = motion_of(w, i);
+    const DrainEntry entry = first_drain(w, i, path, dt);
+    dt = std::min(dt, entry.time);
     if (w.recording)
         w.paths.push_back({ball.id, w.start_time() + work.time, dt, path.position, path.velocity, path.acceleration});
     ball.position = path.at(dt);
     if (!path.is_straight()) ball.velocity = path.velocity_at(dt);
     if (work.held.by_surface) keep_energy(w, i, path, dt);
     work.time += dt;
+    if (entry.sensor) fall_into(w, i, *entry.sensor);
 }
 
 Slice sweep_slice(WorldState& w, std::size_t i, double rest, double room) {
@@ -87,6 +91,7 @@ bool advance_uncoupled(WorldState& w, std::size_t i, double limit) {
         work.travelled += way;
         if (work.travelled > limit) return false;
         advance_ball(w, i, dt);
+        if (ball.state == BallState::drained) return true;
         if (hit.time > slice.duration && slice.sweep.clear_until >= slice.duration) {
             ball.free_path = std::min(slice.sweep.free_path - way, room_without_mechanisms(w, ball.position));
             if (dt == rest) break;
@@ -224,6 +229,7 @@ private:
         const bool by_mover = plan.mover_time < plan.fixed_time;
         const double time = by_mover ? plan.mover_time : plan.fixed_time;
         advance_ball(w_, i, time - work.time);
+        if (!w_.in_play(i)) return replan_ball(i);  // it has fallen into a drain
         work.time = time;
         const FieldHit hit = by_mover ? plan.mover_hit : plan.fixed_hit;
         const bool capped = by_mover ? plan.mover_capped : plan.fixed_capped;
@@ -276,7 +282,11 @@ private:
         const double time = w_.plans[i].pair_time;
         for (const std::size_t k : {i, j}) {
             advance_ball(w_, k, time - w_.work[k].time);
-            w_.work[k].time = time;
+            if (w_.in_play(k)) w_.work[k].time = time;
+        }
+        if (!w_.in_play(i) || !w_.in_play(j)) {
+            replan_ball(i);
+            return replan_ball(j);
         }
         if (++w_.work[i].impacts > most_impacts) freeze(w_, i);
         if (++w_.work[j].impacts > most_impacts) freeze(w_, j);
@@ -321,7 +331,7 @@ private:
         plan.mover_time = infinity;
         plan.mover_hit = {};
         plan.mover_capped = false;
-        if (work.time >= h_ || !w_.options.sweep) return;
+        if (work.time >= h_ || !w_.in_play(i) || !w_.options.sweep) return;
         const Motion ball = motion_of(w_, i);
         for (std::size_t m = 0; m < w_.movers.size(); ++m) {
             MoverState state = w_.movers[m];
@@ -386,11 +396,11 @@ private:
         BallPlan& plan = w_.plans[i];
         plan.pair_time = infinity;
         plan.partner = -1;
-        if (!pairs_) return;
+        if (!pairs_ || !w_.in_play(i)) return;
         reachable(i, w_.nearby);
         for (const int k : w_.nearby) {
             const std::size_t j = to_index(k);
-            if (j == i || (!moves(i) && !moves(j)) || !share_layer(w_.balls[i], w_.balls[j])) continue;
+            if (j == i || !w_.in_play(j) || (!moves(i) && !moves(j)) || !share_layer(w_.balls[i], w_.balls[j])) continue;
             const double time = meeting(std::min(i, j), std::max(i, j));
             if (time < plan.pair_time) {
                 plan.pair_time = time;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/core/at.h"
+#include "engine/physics/drain.h"
 #include "engine/physics/state.h"
 #include "engine/program/evaluate.h"
 
@@ -158,29 +159,6 @@ void rest_or_wake(WorldState& w, std::size_t i) {
         ball.state = BallState::resting;
 }
 
-void check_drains(WorldState& w, std::size_t i) {
-    Ball& ball = w.balls[i];
-    const Vec2 from = w.balls_before[i].position, way = ball.position - from;
-    for (const Sensor& sensor : w.program().sensors) {
-        if (sensor.field.solids.empty()) continue;
-        Box2 box;
-        for (const Solid& solid : sensor.field.solids) box = box.merged(solid.bounds);
-        if (!box.overlaps(Box2::of(from, ball.position))) continue;
-        // Sampled finely enough for the centre not to jump the sensor: a drain is no wall, so this needs no certificate. Four samples
-        // to its narrow side do up to 64 of them, 0.32 m a tick over a drain 20 mm high; a faster ball may jump it, and drains later.
-        const double pace = 0.25 * std::min(box.size().x(), box.size().y());
-        const int samples = pace > 0 ? std::clamp(static_cast<int>(length(way) / pace) + 1, 1, 64) : 1;
-        for (int k = 1; k <= samples; ++k) {
-            const Vec2 p = k == samples ? ball.position : Vec2(from + (static_cast<double>(k) / samples) * way);
-            if (!drains(w.program(), sensor, p, ball.layer)) continue;
-            ball.state = BallState::drained;
-            w.events.push_back({w.tick, w.start_time() + w.physics.step, EventKind::drain, ball.id,
-                                at(w.program().parts, sensor.part).origin, p, {0, 0}, length(ball.velocity), sensor.part});
-            return;
-        }
-    }
-}
-
 /// Sorts this tick's events by time, then ids; each ball's are in order already.
 void order_events(std::vector<Event>& events) {
     const auto before = [](const Event& a, const Event& b) {
@@ -326,7 +304,7 @@ void run_tick(WorldState& w) {
         if (!w.in_play(i)) continue;
         if (w.balls[i].state == BallState::rolling) w.balls[i].velocity += w.work[i].late_kick;
         filter_positions(w, i);
-        if (!w.program().sensors.empty() && w.in_play(i)) check_drains(w, i);
+        if (w.in_play(i)) drain_where_it_stands(w, i);
         rest_or_wake(w, i);
         if (w.work[i].jammed && w.in_play(i)) stop_jammed(w.balls[i]);
     }
