@@ -98,7 +98,7 @@ TEST_CASE("a ball and a free flipper keep their angular momentum, and with e = 1
                                             "materials: {default: {restitution: 1, friction: 0}}\n");
     World world(program);
     world.add_ball({1.055, 0.95}, {0, 1.5});  // from below: pushes the bat off its lower stop
-    const double inertia = 0.06 * 0.077 * 0.077 / 3, mass = 0.08;
+    const double inertia = 0.25 * 0.077 * 0.077 / 3, mass = 0.08;
     const double momentum = mass * cross(Vec2(0.055, 0), Vec2(0, 1.5)), energy = 0.5 * mass * 1.5 * 1.5;
     bool hit = false;
     for (int i = 0; i < 500; ++i) {
@@ -113,6 +113,66 @@ TEST_CASE("a ball and a free flipper keep their angular momentum, and with e = 1
     CHECK(rate > 1);
     CHECK(relative_error(mass * cross(ball.position - Vec2(1, 1), ball.velocity) + inertia * rate, momentum) < 1e-6);
     CHECK(relative_error(0.5 * mass * dot(ball.velocity, ball.velocity) + 0.5 * inertia * rate * rate, energy) < 1e-6);
+}
+
+namespace {
+
+/// A bat with the defaults, rubber on it, and a rail that leads to it; slope and steps as tables have them.
+ProgramPtr with_inlane() {
+    return program_of(
+        "pinfield: 1\ntable: {size: [0.6, 1.2]}\nphysics: {integrator: ballistic}\n"
+        "materials: {rubber: {restitution: 0.8, falloff: 0.43, friction: 0.6}, default: {restitution: 0.2}}\ninputs: {go: [Z]}\nscene:\n"
+        "  - flipper: {at: [0.2, 0.2], rest: -30, swing: 51, material: rubber, input: [go]}\n"
+        "  - segment: {a: [0.1, 0.268], b: [0.186, 0.2119], thickness: 8mm}\n");
+}
+
+/// Top speed of a ball that rolls onto the bat and is shot `press` ticks after it was let go.
+double shot(const ProgramPtr& program, int press) {
+    World world(program);
+    world.add_ball({0.13, 0.272}, {0, 0});
+    double top = 0;
+    for (int tick = 0; tick < press + 80; ++tick) {
+        if (tick == press) world.set_input(0, 1);
+        world.step();
+        if (tick > press) top = std::max(top, length(world.balls()[0].velocity));
+    }
+    return top;
+}
+
+/// With what speed off the raised bat a ball leaves that comes down to it at this speed, when the bat was sent up `lead` ticks before.
+double caught(const ProgramPtr& program, double speed, int lead) {
+    const Vec2 along{cosine_degrees(21), sine_degrees(21)}, out{-sine_degrees(21), cosine_degrees(21)};
+    constexpr int fall = 80;
+    World world(program);
+    world.add_ball(Vec2(0.2, 0.2) + 0.045 * along + (0.0085 + r) * out + Vec2(0, speed * fall * world.step_length()), {0, -speed});
+    double off = 0;
+    bool hit = false;
+    for (int tick = 0; tick < fall + 200; ++tick) {
+        if (tick == fall - lead) world.set_input(0, 1);
+        world.step();
+        for (const Event& event : world.events()) hit = hit || event.kind == EventKind::hit;
+        if (hit) off = std::max(off, dot(world.balls()[0].velocity, out));
+    }
+    return off;
+}
+
+}  // namespace
+
+TEST_CASE("a flipper's best shot is as fast as a machine's: above 3.5 m/s, with a tip that unloaded reaches 5.7") {
+    const ProgramPtr program = with_inlane();
+    double best = 0;
+    for (int press = 860; press < 960; press += 4) best = std::max(best, shot(program, press));
+    CHECK(best > 3.5);
+    CHECK(best < 5.7);
+}
+
+TEST_CASE("a live catch in good time leaves a ball less than 0.3 m/s") {
+    const ProgramPtr program = with_inlane();
+    for (const double speed : {1.0, 2.0}) {
+        double least = infinity;
+        for (int lead = 40; lead < 60; ++lead) least = std::min(least, caught(program, speed, lead));
+        CHECK(least < 0.3);
+    }
 }
 
 TEST_CASE("a ball pinched between a flipper and a wall stops the flipper and is not entered") {

@@ -18,7 +18,7 @@ struct Flipper {
     double radius_tip = 0.007;
     double rest = -30;
     double swing = 51;
-    double mass = 0.06;
+    double mass = 0.25;
     double strength = 223450;  // 3900 rad/s^2
     double ramp = 0.03;
     double end_torque = 0.75;
@@ -60,7 +60,7 @@ struct Flipper {
                       {.unit = Unit::kilogram,
                        .min = above(0),
                        .step = 0.001,
-                       .doc = "Of the bat, for its moment of inertia about the pivot."}),
+                       .doc = "Of all that turns, as a rod of the bat's length: the bat, its shaft and crank, the plunger in its coil."}),
                 field("strength", &F::strength,
                       {.unit = Unit::degree_per_second2,
                        .min = above(0),
