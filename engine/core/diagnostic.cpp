@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "engine/core/shown.h"
+
 namespace pinfield {
 
 namespace {
@@ -36,14 +38,19 @@ int characters(std::string_view text) {
 }
 
 /// A whole line, or, of one that no terminal shows whole, what is about the byte `at`: only that is looked at, as a
-/// hostile file has a line of megabytes and a hundred findings in it.
-Excerpt excerpt_of(std::string_view line, std::size_t at, int column) {
+/// hostile file has a line of megabytes and a hundred findings in it. What stands before the caret is counted as it is shown.
+Excerpt excerpt_of(std::string_view line, std::size_t at) {
     constexpr int longest = 200, about = 60;  // characters: of a line shown whole, and to either side of the place
-    if (after(line, 0, longest) == line.size()) return {std::string(line), column - 1};
-    const std::size_t first = before(line, at, about), last = after(line, at, about);
-    const std::string left = first > 0 ? "..." : "", right = last < line.size() ? "..." : "";
-    return {left + std::string(line.substr(first, last - first)) + right,
-            static_cast<int>(left.size()) + characters(line.substr(first, at - first))};
+    const bool whole = after(line, 0, longest) == line.size();
+    const std::size_t first = whole ? 0 : before(line, at, about), last = whole ? line.size() : after(line, at, about);
+    const std::string left = (first > 0 ? "..." : "") + shown(line.substr(first, at - first));
+    return {left + shown(line.substr(at, last - at)) + (last < line.size() ? "..." : ""), characters(left)};
+}
+
+/// A file's first line without the mark that says it is UTF-8: columns do not count it, either.
+std::string_view without_mark(std::string_view line) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return line.starts_with(mark) ? line.substr(mark.size()) : line;
 }
 
 }  // namespace
@@ -56,19 +63,19 @@ bool has_errors(const Diagnostics& diagnostics) {
 std::string format(const Diagnostic& diagnostic, const Sources& sources) {
     const SourceText* source = sources.find(diagnostic.where);
     const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
-    std::string out = fmt::format("{}: {} [{}]\n", severity, diagnostic.message, diagnostic.code);
+    std::string out = fmt::format("{}: {} [{}]\n", severity, shown(diagnostic.message), shown(diagnostic.code));
     if (source) {
         const std::size_t offset = diagnostic.where.span.begin;
         const LineColumn at = source->line_column(offset);
-        out = fmt::format("{}:{}:{}: {}", source->name(), at.line, at.column, out);
-        const std::string_view line = source->line(at.line);
+        out = fmt::format("{}:{}:{}: {}", shown(source->name()), at.line, at.column, out);
+        const std::string_view line = at.line == 1 ? without_mark(source->line(1)) : source->line(at.line);
         const auto line_begin = static_cast<std::size_t>(line.data() - source->text().data());
-        const std::size_t in_line = line.empty() ? 0 : std::min(offset - line_begin, line.size());
-        const Excerpt excerpt = excerpt_of(line, in_line, at.column);
+        const std::size_t in_line = line.empty() || offset < line_begin ? 0 : std::min(offset - line_begin, line.size());
+        const Excerpt excerpt = excerpt_of(line, in_line);
         if (!excerpt.text.empty())
             out += fmt::format("  {}\n  {}^\n", excerpt.text, std::string(static_cast<std::size_t>(excerpt.caret), ' '));
     }
-    if (!diagnostic.hint.empty()) out += fmt::format("  hint: {}\n", diagnostic.hint);
+    if (!diagnostic.hint.empty()) out += fmt::format("  hint: {}\n", shown(diagnostic.hint));
     return out;
 }
 

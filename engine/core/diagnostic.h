@@ -24,6 +24,7 @@ using Diagnostics = std::vector<Diagnostic>;
 bool has_errors(const Diagnostics& diagnostics);
 
 /// `file:line:col: error: message [E0203]`, then the source line with a caret, then the hint; only `error: ...` for one that stands nowhere.
+/// What comes from the file or its name is harmless (shown.h), and the caret stands under its character nevertheless.
 std::string format(const Diagnostic& diagnostic, const Sources& sources);
 
 }  // namespace pinfield

@@ -7,36 +7,13 @@
 #include <string>
 
 #include "engine/core/error_codes.h"
+#include "engine/core/shown.h"
 
 namespace pinfield {
 namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t'; }
 bool is_break(char c) { return c == '\n' || c == '\r'; }
-
-/// Length of the well-formed UTF-8 sequence at `at` (no overlong forms, no surrogates: RFC 3629), or 0.
-std::size_t utf8_length(std::string_view text, std::size_t at) {
-    const auto byte = [&](std::size_t i) {
-        return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0u;
-    };
-    const auto follows = [&](std::size_t count) {
-        for (std::size_t i = 1; i <= count; ++i)
-            if ((byte(i) & 0xC0u) != 0x80u) return false;
-        return true;
-    };
-    const unsigned a = byte(0), b = byte(1);
-    if (a < 0x80) return 1;
-    if (a >= 0xC2 && a <= 0xDF) return follows(1) ? 2 : 0;
-    if (a >= 0xE0 && a <= 0xEF) {
-        const bool overlong = a == 0xE0 && b < 0xA0, surrogate = a == 0xED && b > 0x9F;
-        return follows(2) && !overlong && !surrogate ? 3 : 0;
-    }
-    if (a >= 0xF0 && a <= 0xF4) {
-        const bool overlong = a == 0xF0 && b < 0x90, beyond = a == 0xF4 && b > 0x8F;
-        return follows(3) && !overlong && !beyond ? 4 : 0;
-    }
-    return 0;
-}
 
 /// The parser would take 0x04 for the end of the file and end a line at a lone carriage return: neither may come so
 /// far.
