@@ -5,20 +5,32 @@
 #include <cmath>
 
 #include "engine/core/numbers.h"
+#include "engine/core/shown.h"
 
 namespace pinfield::cli {
+namespace {
+
+/// RFC 8259, section 7: of what lies beyond 16 bits, both halves of a surrogate pair.
+std::string json_escape(unsigned code) {
+    if (code < 0x10000) return fmt::format("\\u{:04x}", code);
+    return fmt::format("\\u{:04x}\\u{:04x}", 0xd800 + ((code - 0x10000) >> 10), 0xdc00 + ((code - 0x10000) & 0x3ff));
+}
+
+}  // namespace
 
 std::string json_text(std::string_view text) {
     std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\')
-            (out += '\\') += c;
-        else if (c == '\n')
+    for (std::size_t at = 0; at < text.size();) {
+        const CharacterAt here = character_at(text, at);
+        if (here.code == '"' || here.code == '\\')
+            (out += '\\') += static_cast<char>(here.code);
+        else if (here.code == '\n')
             out += "\\n";
-        else if (static_cast<unsigned char>(c) < 0x20)
-            out += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        else if (here.is_harmless)
+            out += text.substr(at, here.bytes);
         else
-            out += c;
+            out += json_escape(here.is_utf8 ? here.code : 0xfffdu);
+        at += here.bytes;
     }
     return out + '"';
 }

@@ -7,7 +7,8 @@
 
 namespace pinfield::cli {
 
-std::string json_text(std::string_view text);  ///< quoted and escaped
+/// Quoted and escaped: valid whatever the bytes, as those that are no UTF-8 (of a path) become U+FFFD, and harmless on a terminal.
+std::string json_text(std::string_view text);
 /// Shortest text that reads back as the same double; null where JSON has no word for it (infinity, NaN).
 std::string json_number(double x);
 

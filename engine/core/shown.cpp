@@ -35,13 +35,12 @@ std::string escaped(std::string_view text, bool keeps_lines) {
     std::string out;
     out.reserve(text.size());
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = utf8_length(text, at);
-        const unsigned c = length > 0 ? code_point(text, at, length) : byte_at(text, at);
-        if (length == 0 || ((is_control(c) || deceives(c)) && !(keeps_lines && c == '\n')))
-            append_escaped(out, c);
+        const CharacterAt here = character_at(text, at);
+        if (here.is_harmless || (keeps_lines && here.code == '\n'))
+            out += text.substr(at, here.bytes);
         else
-            out += text.substr(at, length);
-        at += length > 0 ? length : 1;
+            append_escaped(out, here.code);
+        at += here.bytes;
     }
     return out;
 }
@@ -69,6 +68,13 @@ std::size_t utf8_length(std::string_view text, std::size_t at) {
         return follows(3) && !overlong && !beyond ? 4 : 0;
     }
     return 0;
+}
+
+CharacterAt character_at(std::string_view text, std::size_t at) {
+    const std::size_t length = utf8_length(text, at);
+    if (length == 0) return {byte_at(text, at), 1, false, false};
+    const unsigned code = code_point(text, at, length);
+    return {code, length, true, !is_control(code) && !deceives(code)};
 }
 
 std::string shown(std::string_view text) { return escaped(text, false); }
