@@ -13,7 +13,9 @@
 #include "editor/keep_preferences.h"
 #include "editor/keep_work.h"
 #include "editor/script.h"
+#include "engine/core/shown.h"
 #include "engine/io/files.h"
+#include "engine/io/output_file.h"
 #include "engine/io/script_reader.h"
 #include "engine/scene/catalog.h"
 
@@ -32,7 +34,7 @@ struct Arguments {
 };
 
 int complain(int code, const std::string& text) {
-    std::fprintf(stderr, "pinfield-editor: %s\n", text.c_str());
+    std::fprintf(stderr, "pinfield-editor: %s\n", shown(text).c_str());
     return code;
 }
 
@@ -108,6 +110,7 @@ int run_editor(const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    hold_standard_streams();
     Arguments arguments;
     CLI::App cli{"Pinfield's editor: play a table while you change it."};
     cli.add_option("FILE", arguments.file, "Table to open; without one, a new table");

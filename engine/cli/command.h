@@ -16,16 +16,17 @@ enum class ExitCode : int {
     failed = 3,  ///< a file or a device failed
 };
 
-/// Ends a command from anywhere below it; main() prints the message to stderr.
+/// Ends a command from anywhere below it; main() tells why on stderr.
 struct Stop {
     ExitCode code = ExitCode::failed;
-    std::string message;
+    std::string message;   ///< a sentence, whatever is quoted in it; may be empty
+    std::string findings;  ///< lines that are as people read them already: text_of()
 };
 
 /// The value of a result, or the end of the command with exit code 3.
 template <class T>
 T value_or_stop(Result<T> result) {
-    if (!result) throw Stop{ExitCode::failed, result.error().message};
+    if (!result) throw Stop{ExitCode::failed, result.error().message, ""};
     if constexpr (!std::is_void_v<T>) return std::move(*result);
 }
 

@@ -62,7 +62,7 @@ double patch_seconds(Scene& scene, const ProgramPtr& program, int runs) {
     return time_of(runs, [&] {
         apply(scene, {node.id, at, home + Vec2(0, 1e-4 * (++count % 2)), true});
         ProgramPtr next = patch(*current, scene, std::array{FieldChange{node.id, at}});
-        if (!next) throw Stop{ExitCode::failed, "a parameter edit was refused by patch()"};
+        if (!next) throw Stop{ExitCode::failed, "a parameter edit was refused by patch()", ""};
         current = std::move(next);
     });
 }
@@ -70,7 +70,7 @@ double patch_seconds(Scene& scene, const ProgramPtr& program, int runs) {
 void bench(bool json, int runs) {
     Scene scene = playfield(std::make_shared<const Catalog>(built_in_catalog()), obstacles);
     const auto compiled = compile(scene);
-    if (!compiled) throw Stop{ExitCode::failed, "the generated playfield does not compile"};
+    if (!compiled) throw Stop{ExitCode::failed, "the generated playfield does not compile", ""};
     const ProgramPtr program = *compiled;
     const double rate = ball_steps_per_second(program, runs);
     const double raster = raster_seconds(*program, sdf::best_isa(), 10 * runs);

@@ -5,6 +5,7 @@
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
+#include "engine/core/shown.h"
 #include "engine/game/pockets.h"
 #include "engine/game/starts.h"
 #include "engine/program/compile.h"
@@ -72,7 +73,7 @@ std::string lines_of(const std::vector<Note>& notes, const Sources& sources) {
     for (const Note& note : notes) {
         const LineColumn at = sources.line_column(note.where);
         const SourceText* source = sources.find(note.where);
-        text += fmt::format("{}:{}:{}: note: {:{}}{}\n", source ? source->name() : "", at.line, at.column, "", 2 * note.depth, message_of(note));
+        text += fmt::format("{}:{}:{}: note: {:{}}{}\n", source ? shown(source->name()) : "", at.line, at.column, "", 2 * note.depth, shown(message_of(note)));
     }
     return text;
 }
@@ -117,7 +118,7 @@ ExitCode check(const Options& options) {
     for (const std::string& file : options.files) {
         const Result<Reading> loaded = load_table(file, catalog);
         if (!loaded) {
-            fmt::print(stderr, "pinfield: {}\n", loaded.error().message);
+            tell(fmt::format("pinfield: {}\n", shown(loaded.error().message)));
             exit = ExitCode::failed;
             continue;
         }

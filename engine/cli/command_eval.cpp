@@ -81,17 +81,18 @@ Answer answer_at(const std::vector<Source>& sources, const Vec2& p) {
 }
 
 void eval(const Options& options) {
+    refuse_overwriting(options.out, {options.file, options.points});
     const Table table = open_table(options.file);
     const std::vector<Source> sources = sources_of(table, options.shapes_only);
-    const std::vector<CsvRecord> records = value_or_stop(read_csv(options.points, "x,y"));
+    CsvReader points = value_or_stop(CsvReader::open(options.points, "x,y"));
 
-    refuse_overwriting(options.out, {options.file, options.points});
     Output out(options.out);
     out.write("x,y,distance,grad_x,grad_y,node,certified\n");
-    for (const CsvRecord& record : records) {
+    CsvRecord record;
+    while (value_or_stop(points.next(record))) {
         const Vec2 p(value_or_stop(csv_number(options.points, record, 0)), value_or_stop(csv_number(options.points, record, 1)));
         if (!(std::fabs(p.x()) <= farthest && std::fabs(p.y()) <= farthest))
-            throw Stop{ExitCode::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points, record.line, farthest)};
+            throw Stop{ExitCode::failed, fmt::format("{}:{}: the point is farther out than {:g} m", options.points, record.line, farthest), ""};
         const auto& [found, node] = answer_at(sources, p);
         out.write(fmt::format("{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{:d}\n", p.x(), p.y(), found.distance, found.gradient.x(),
                               found.gradient.y(), found.leaf < 0 ? "" : name_of(table.scene, node), found.certified));
@@ -107,7 +108,7 @@ void add_eval(const Command& app, ExitCode& exit) {
     const auto options = std::make_shared<Options>();
     command.option("FILE", options->file, "Table file").required();
     command.option("--points", options->points, "CSV with the header x,y, metres").required();
-    command.option("-o,--output", options->out, "CSV to write; stdout when not given");
+    command.option("-o,--output", options->out, "CSV to write; stdout when not given").check(why_no_output);
     command.flag("--shapes-only", options->shapes_only, "Leave the domain out");
     command.callback([options, &exit] {
         eval(*options);

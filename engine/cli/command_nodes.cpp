@@ -32,7 +32,7 @@ std::string events_markdown() {
 void nodes(const Options& options) {
     const Catalog catalog = built_in_catalog();
     const std::vector<const NodeType*> types = referenced_types(catalog, options.key);
-    if (types.empty()) throw Stop{ExitCode::usage, fmt::format("there is no node \"{}\"; `pinfield nodes` lists all", options.key)};
+    if (types.empty()) throw Stop{ExitCode::usage, fmt::format("there is no node \"{}\"; `pinfield nodes` lists all", options.key), ""};
     std::string text = options.json ? reference_json(types) : options.markdown ? reference_markdown(types) : reference_text(types);
     if (options.key.empty() && !options.json)
         text += options.markdown ? fmt::format("\n{}{}", units_markdown(), events_markdown()) : fmt::format("\n{}{}", units_text(), events_text());

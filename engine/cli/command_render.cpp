@@ -75,7 +75,10 @@ void render(const Options& options) {
                                                ? isoline_picture(raster, isolines::spacing(raster.metres_per_pixel()))
                                                : shaded_picture(raster, program);
     if (options.parts) mark_parts(program, raster, isa, rgb);
-    value_or_stop(write_png(options.out, size.width, size.height, rgb));
+    const std::string bytes = value_or_stop(encode_png(options.out, size.width, size.height, rgb));
+    Output out(options.out);
+    out.write(bytes);
+    out.finish();
 }
 
 }  // namespace
@@ -84,7 +87,7 @@ void add_render(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("render", "Draw a table into a PNG");
     const auto options = std::make_shared<Options>();
     command.option("FILE", options->file, "Table file").required();
-    command.option("-o,--output", options->out, "Picture to write").required();
+    command.option("-o,--output", options->out, "Picture to write; - for stdout").required().check(why_no_output);
     command.option("--size", options->size, "Pixels as WIDTHxHEIGHT; a pixel a millimetre when not given")
         .check([](const std::string& text) { return why_invalid_size(text); });
     command.option("--mode", options->mode, "shaded or isolines").one_of({"shaded", "isolines"}).show_default();

@@ -14,6 +14,7 @@
 #include "engine/cli/table.h"
 #include "engine/core/at.h"
 #include "engine/core/hash.h"
+#include "engine/core/shown.h"
 #include "engine/game/simulation.h"
 #include "engine/game/starts.h"
 #include "engine/physics/scatter.h"
@@ -29,6 +30,8 @@ struct Options {
     std::vector<std::string> launches;
     bool audit = false, json = false, no_sweep = false;
 };
+
+constexpr std::size_t most_changes = 1'000'000;  // of inputs: 24 MB
 
 struct Launch {
     Vec2 at{0, 0}, velocity{0, 0};
@@ -55,10 +58,12 @@ std::string why_invalid_launch(const std::string& text, Launch* launch = nullptr
 std::vector<InputChange> read_inputs(const std::string& path, const Program& program) {
     std::vector<InputChange> changes;
     if (path.empty()) return changes;
-    for (const CsvRecord& record : value_or_stop(read_csv(path, "tick,input,value"))) {
+    CsvReader lines = value_or_stop(CsvReader::open(path, "tick,input,value"));
+    for (CsvRecord record; value_or_stop(lines.next(record));) {
         const auto stop = [&](const std::string& message) {
-            throw Stop{ExitCode::failed, fmt::format("{}:{}: {}", path, record.line, message)};
+            throw Stop{ExitCode::failed, fmt::format("{}:{}: {}", path, record.line, message), ""};
         };
+        if (changes.size() == most_changes) stop(fmt::format("more than {} presses and releases", most_changes));
         const double tick = value_or_stop(csv_number(path, record, 0));
         if (tick < 0 || tick > 1e15 || tick != std::floor(tick)) stop(fmt::format("\"{}\" is no tick", record.cells[0]));
         const auto input = std::find(program.inputs.begin(), program.inputs.end(), record.cells[1]);
@@ -86,13 +91,13 @@ World world_of(const Table& table, const Options& options) {
     if (options.balls) {
         const int placed = scatter_balls(world, *options.balls, options.speed.value_or(1), options.seed);
         if (placed < *options.balls)
-            throw Stop{ExitCode::wrong, fmt::format("{}: only {} of {} balls found free space\n", options.file, placed, *options.balls)};
+            throw Stop{ExitCode::wrong, fmt::format("{}: only {} of {} balls found free space", options.file, placed, *options.balls), ""};
     }
     for (const std::string& text : options.launches) {
         Launch launch;
         why_invalid_launch(text, &launch);
         if (const auto found = impossible_start(*table.program, table.scene, launch.at, ground_layer, {}))
-            throw Stop{ExitCode::wrong, fmt::format("--launch {}: {}{}{}\n", text, found->message, found->hint.empty() ? "" : "; ", found->hint)};
+            throw Stop{ExitCode::wrong, fmt::format("--launch {}: {}{}{}", text, found->message, found->hint.empty() ? "" : "; ", found->hint), ""};
         world.add_ball(launch.at, launch.velocity);
     }
     if (!options.balls && options.launches.empty()) world.add_spawned_balls();
@@ -107,6 +112,7 @@ JsonObject json_of(const SimulationSummary& summary, const std::string& table) {
     json.add("table", table).add("ticks", summary.ticks).add("balls", summary.balls);
     json.add("wall_seconds", summary.wall_seconds).add("ball_steps_per_second", summary.ball_steps_per_second);
     json.add("escaped", summary.escaped).add("drained", summary.drained).add("max_penetration", summary.max_penetration);
+    json.add("max_overlap", summary.max_overlap).add("capped_ticks", summary.capped_ticks).add("capped_queries", summary.capped_queries);
     json.add("energy_first", summary.energy_first).add("energy_last", summary.energy_last);
     json.add("events", counts).add("state_hash", hex16(summary.state_hash));
     if (summary.audit)
@@ -119,11 +125,15 @@ JsonObject json_of(const SimulationSummary& summary, const std::string& table) {
 }
 
 std::string text_of(const SimulationSummary& summary, const std::string& table, double step) {
-    std::string text = fmt::format("{}: {} {}, {} ticks ({:g} s) in {:.3f} s: {:.3g} ball-steps/s\n", table, summary.balls,
+    std::string text = fmt::format("{}: {} {}, {} ticks ({:g} s) in {:.3f} s: {:.3g} ball-steps/s\n", shown(table), summary.balls,
                                    summary.balls == 1 ? "ball" : "balls", summary.ticks, static_cast<double>(summary.ticks) * step,
                                    summary.wall_seconds, summary.ball_steps_per_second);
-    text += fmt::format("  escaped         {}\n  drained         {}\n  max penetration {:.3g} m\n", summary.escaped, summary.drained,
-                        summary.max_penetration);
+    text += fmt::format("  escaped         {}\n  drained         {}\n  max penetration {:.3g} m, of two balls {:.3g} m\n", summary.escaped,
+                        summary.drained, summary.max_penetration, summary.max_overlap);
+    text += fmt::format("  cut short       {} ball-ticks, {} searches\n", summary.capped_ticks, summary.capped_queries);
+    const auto times = [&](EventKind kind) { return at(summary.events, kind); };
+    text += fmt::format("  out of play     {} jammed, {} held back, {} stuck, {} quarantined\n", times(EventKind::jam), times(EventKind::held_back),
+                        times(EventKind::stuck), times(EventKind::quarantine));
     text +=
         fmt::format("  energy          {:.9g} J at first, {:.9g} J at last\n  events         ", summary.energy_first, summary.energy_last);
     for (int kind = 0; kind < event_kinds; ++kind)
@@ -150,7 +160,9 @@ void run(const Options& options) {
     const SimulationSummary summary = simulate(game, how);
     recorder.finish();
     const std::string name = table.program->name.empty() ? options.file : table.program->name;
-    print(options.json ? json_of(summary, name).text() + "\n" : text_of(summary, name, game.world().step_length()));
+    const std::string text = options.json ? json_of(summary, name).text() + "\n" : text_of(summary, name, game.world().step_length());
+    // A stream of data stays one: whoever reads it does not want a summary behind it.
+    is_stdout(options.trace) || is_stdout(options.events) ? tell(text) : print(text);
 }
 
 /// CLI11 would wrap a sign and saturate what is too large.
@@ -183,8 +195,8 @@ void add_simulate(const Command& app, ExitCode& exit) {
         .one_of({"symplectic_euler", "ballistic"});
     add_quantity(command, "--step", options->step, Unit::second, from(1e-6), to(0.1), "Length of a tick in place of the table's");
     command.flag("--audit", options->audit, "Check every stretch of path densely against the true distance");
-    command.option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV");
-    command.option("--events", options->events, "Write what happens as JSON lines");
+    command.option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV; - for stdout, the summary then on stderr").check(why_no_output);
+    command.option("--events", options->events, "Write what happens as JSON lines; likewise").check(why_no_output);
     command.option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release");
     command.flag("--json", options->json, "Print the summary as JSON");
     command.flag("--no-sweep", options->no_sweep, "").hidden();  // for tests of the auditor: balls tunnel

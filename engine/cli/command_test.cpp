@@ -5,6 +5,7 @@
 #include "engine/cli/json.h"
 #include "engine/cli/output.h"
 #include "engine/cli/table.h"
+#include "engine/core/shown.h"
 #include "engine/game/table_test.h"
 
 namespace pinfield::cli {
@@ -33,8 +34,8 @@ Verdict judge(const Table& table, const TableTest& test, std::size_t index) {
 std::string text_of(const std::vector<Verdict>& verdicts, int failed) {
     std::string text;
     for (const Verdict& verdict : verdicts) {
-        text += fmt::format("{} {}\n", verdict.failures.empty() ? "pass" : "FAIL", verdict.name);
-        for (const std::string& failure : verdict.failures) text += fmt::format("     {}\n", failure);
+        text += fmt::format("{} {}\n", verdict.failures.empty() ? "pass" : "FAIL", shown(verdict.name));
+        for (const std::string& failure : verdict.failures) text += fmt::format("     {}\n", shown(failure));
     }
     return text + fmt::format("{} passed, {} failed\n", static_cast<int>(verdicts.size()) - failed, failed);
 }

@@ -2,15 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
+#include <limits>
 
 #include "engine/core/numbers.h"
 
 namespace pinfield::cli {
 namespace {
+
+constexpr std::size_t longest_line = 4096;  // of three numbers: a few hundred at most
 
 std::string_view trimmed(std::string_view text) {
     constexpr std::string_view blanks = " \t\r";
@@ -31,32 +33,44 @@ std::vector<std::string> split(std::string_view line) {
 
 }  // namespace
 
-Result<std::vector<CsvRecord>> read_csv(const std::string& path, std::string_view header) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) return failure(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+CsvReader::CsvReader(const std::string& path, std::string_view header)
+    : path_(path), header_(header), columns_(split(header).size()), file_(path, std::ios::binary) {}
 
-    const std::vector<std::string> columns = split(header);
-    std::vector<CsvRecord> records;
-    std::string text;
-    bool headed = false;
-    for (int line = 1; std::getline(file, text); ++line) {
-        std::string_view content = text;
-        if (line == 1 && content.substr(0, 3) == "\xEF\xBB\xBF") content.remove_prefix(3);
-        content = trimmed(content);
-        if (content.empty()) continue;
-        std::vector<std::string> cells = split(content);
-        if (!headed) {
-            if (cells != columns) return failure(fmt::format("{}:{}: the first line must be \"{}\"", path, line, header));
-            headed = true;
-        } else if (cells.size() != columns.size()) {
-            return failure(fmt::format("{}:{}: {} values where {} are due: {}", path, line, cells.size(), columns.size(), header));
-        } else {
-            records.push_back({line, std::move(cells)});
-        }
+Result<CsvReader> CsvReader::open(const std::string& path, std::string_view header) {
+    CsvReader reader(path, header);
+    if (!reader.file_) return failure(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
+    std::string first;
+    const Result<bool> found = reader.next_line(first);
+    if (!found) return tl::unexpected<Failure>(found.error());
+    if (!*found || split(first) != split(header))
+        return failure(fmt::format("{}:{}: the first line must be \"{}\"", path, std::max(1, reader.line_), header));
+    return reader;
+}
+
+Result<bool> CsvReader::next_line(std::string& content) {
+    char buffer[longest_line + 1];
+    while (file_.getline(buffer, sizeof buffer)) {
+        if (line_ == std::numeric_limits<int>::max()) return failure(fmt::format("cannot read {}: it does not end", path_));
+        ++line_;
+        const auto read = static_cast<std::size_t>(file_.gcount());  // the line break counts, unless the file ends without one
+        std::string_view line(buffer, file_.eof() ? read : read - 1);
+        if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+        content = trimmed(line);
+        if (!content.empty()) return true;
     }
-    if (file.bad()) return failure(fmt::format("cannot read {}: {}", path, std::strerror(errno)));
-    if (!headed) return failure(fmt::format("{}:1: the first line must be \"{}\"", path, header));
-    return records;
+    if (file_.bad()) return failure(fmt::format("cannot read {}: {}", path_, std::strerror(errno)));
+    if (!file_.eof()) return failure(fmt::format("{}:{}: the line is longer than {} bytes", path_, line_ + 1, longest_line));
+    return false;
+}
+
+Result<bool> CsvReader::next(CsvRecord& record) {
+    std::string content;
+    Result<bool> found = next_line(content);
+    if (!found || !*found) return found;
+    record = {line_, split(content)};
+    if (record.cells.size() != columns_)
+        return failure(fmt::format("{}:{}: {} values where {} are due: {}", path_, line_, record.cells.size(), columns_, header_));
+    return true;
 }
 
 Result<double> csv_number(const std::string& path, const CsvRecord& record, std::size_t cell) {

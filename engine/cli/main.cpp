@@ -7,6 +7,7 @@
 
 #include "engine/cli/command.h"
 #include "engine/cli/output.h"
+#include "engine/core/shown.h"
 
 namespace {
 
@@ -37,7 +38,7 @@ ExitCode answer(const CLI::App& app, const CLI::ParseError& error) {
         pinfield::cli::print(text);
         return ExitCode::fine;
     }
-    fmt::print(stderr, "pinfield: {}\nRun `pinfield --help`, or `pinfield COMMAND --help`.\n", error.what());
+    pinfield::cli::tell(fmt::format("pinfield: {}\nRun `pinfield --help`, or `pinfield COMMAND --help`.\n", pinfield::shown(error.what())));
     return ExitCode::usage;
 }
 
@@ -59,13 +60,15 @@ ExitCode run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    pinfield::hold_standard_streams();
     try {
         return static_cast<int>(run(argc, argv));
     } catch (const pinfield::cli::Stop& stop) {
-        fmt::print(stderr, "pinfield: {}\n", stop.message);
+        pinfield::cli::tell(stop.findings);
+        if (!stop.message.empty()) pinfield::cli::tell(fmt::format("pinfield: {}\n", pinfield::shown(stop.message)));
         return static_cast<int>(stop.code);
     } catch (const std::exception& error) {
-        fmt::print(stderr, "pinfield: {}\n", error.what());
+        pinfield::cli::tell(fmt::format("pinfield: {}\n", pinfield::shown(error.what())));
         return static_cast<int>(ExitCode::failed);
     }
 }

@@ -1,8 +1,7 @@
 #include "engine/cli/table.h"
 
-#include <fmt/format.h>
-
 #include "engine/cli/command.h"
+#include "engine/cli/output.h"
 #include "engine/game/starts.h"
 #include "engine/program/compile.h"
 #include "engine/scene/catalog.h"
@@ -21,10 +20,10 @@ std::string text_of(const Diagnostics& diagnostics, const Sources& sources) {
 Table open_table(const std::string& path) {
     Reading loaded = value_or_stop(load_table(path, std::make_shared<const Catalog>(built_in_catalog())));
     const std::string found = text_of(loaded.diagnostics, loaded.scene.sources);
-    if (!loaded.ok()) throw Stop{ExitCode::wrong, found};
+    if (!loaded.ok()) throw Stop{ExitCode::wrong, "", found};
     const auto program = compile(loaded.scene);
-    if (!program) throw Stop{ExitCode::wrong, found + text_of(program.error(), loaded.scene.sources)};
-    fmt::print(stderr, "{}{}", found, text_of(doubts_of(**program, loaded.scene), loaded.scene.sources));
+    if (!program) throw Stop{ExitCode::wrong, "", found + text_of(program.error(), loaded.scene.sources)};
+    tell(found + text_of(doubts_of(**program, loaded.scene), loaded.scene.sources));
     return {std::move(loaded.scene), *program};
 }
 

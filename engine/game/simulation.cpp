@@ -34,7 +34,8 @@ public:
                 ++summary_.escaped;
             }
         }
-        summary_.max_penetration = std::max(summary_.max_penetration, overlap_of_balls(world));
+        summary_.max_overlap = std::max(summary_.max_overlap, overlap_of_balls(world));
+        summary_.max_penetration = std::max(summary_.max_penetration, summary_.max_overlap);
         q_.clear();
     }
 
@@ -54,6 +55,7 @@ SimulationSummary simulate(Game& game, const SimulationOptions& options) {
     summary.energy_first = world.energy();
     game.record_paths(options.audit);
     const auto before = game.events();
+    const WorldStats stats_before = world.stats();
     Auditor auditor;
     Referee referee(world, summary);
     auto input = options.inputs.begin();
@@ -74,6 +76,8 @@ SimulationSummary simulate(Game& game, const SimulationOptions& options) {
     summary.finite = at(summary.events, EventKind::quarantine) == 0;
     summary.wall_seconds = std::chrono::duration<double>(spent).count();
     summary.ball_steps_per_second = summary.wall_seconds > 0 ? static_cast<double>(ball_steps) / summary.wall_seconds : 0;
+    summary.capped_ticks = world.stats().capped_ticks - stats_before.capped_ticks;
+    summary.capped_queries = world.stats().capped_queries - stats_before.capped_queries;
     summary.energy_last = world.energy();
     summary.state_hash = world.state_hash();
     if (options.audit) summary.audit = auditor.report();

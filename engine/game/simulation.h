@@ -32,6 +32,9 @@ struct SimulationSummary {
     int escaped = 0;                   ///< balls whose centre left the domain or sat in a solid deeper than their radius
     std::int64_t drained = 0;
     double max_penetration = 0;        ///< metres, of balls into solids and into each other, at the ends of ticks
+    double max_overlap = 0;            ///< metres, of two balls alone
+    std::int64_t capped_ticks = 0;     ///< times that a ball stood still for the rest of a tick, as it had spent its share of impacts or searches
+    std::int64_t capped_queries = 0;   ///< searches for the next contact that ended undecided, and were taken up again
     double energy_first = 0, energy_last = 0;        ///< J, of all balls
     std::array<std::int64_t, event_kinds> events{};  ///< by EventKind
     std::uint64_t state_hash = 0;      ///< of the world

@@ -7,7 +7,7 @@
 
 namespace pinfield {
 
-Result<bool> write_png(const std::string& path, int width, int height, const std::vector<unsigned char>& pixels) {
+Result<std::string> encode_png(const std::string& path, int width, int height, const std::vector<unsigned char>& pixels) {
     const std::size_t count =
         width > 0 && height > 0 ? static_cast<std::size_t>(width) * static_cast<std::size_t>(height) : 0;
     const int channels = count > 0 && pixels.size() == 3 * count ? 3 : count > 0 && pixels.size() == 4 * count ? 4 : 0;
@@ -20,7 +20,12 @@ Result<bool> write_png(const std::string& path, int width, int height, const std
     };
     if (!stbi_write_png_to_func(append, &bytes, width, height, channels, pixels.data(), width * channels))
         return failure(fmt::format("cannot encode {}", path));
-    return write_file(path, bytes);
+    return bytes;
+}
+
+Result<bool> write_png(const std::string& path, int width, int height, const std::vector<unsigned char>& pixels) {
+    const Result<std::string> bytes = encode_png(path, width, height, pixels);
+    return bytes ? write_file(path, *bytes) : tl::unexpected<Failure>(bytes.error());
 }
 
 }  // namespace pinfield

@@ -34,8 +34,8 @@ TEST_CASE("the summary has the members it should, and no others without --audit"
     const json summary = summary_of(first_table + " --seconds 0.2");
     std::vector<std::string> keys;
     for (const auto& [key, value] : summary.items()) keys.push_back(key);
-    CHECK(keys == std::vector<std::string>{"ball_steps_per_second", "balls", "drained", "energy_first", "energy_last", "escaped", "events",
-                                           "max_penetration", "state_hash", "table", "ticks", "wall_seconds"});
+    CHECK(keys == std::vector<std::string>{"ball_steps_per_second", "balls", "capped_queries", "capped_ticks", "drained", "energy_first",
+                                           "energy_last", "escaped", "events", "max_overlap", "max_penetration", "state_hash", "table", "ticks", "wall_seconds"});
     CHECK(summary["table"] == "Moonrise");
     CHECK(summary["ticks"] == 200);
     CHECK(summary["balls"] == 1);
