@@ -28,7 +28,7 @@ struct Options {
     std::optional<int> balls;
     std::uint64_t seed = 1;
     std::vector<std::string> launches;
-    bool audit = false, json = false, no_sweep = false;
+    bool audit = false, json = false, no_sweep = false, demo = false;
 };
 
 constexpr std::size_t most_changes = 1'000'000;  // of inputs: 24 MB
@@ -78,6 +78,21 @@ std::vector<InputChange> read_inputs(const std::string& path, const Program& pro
     return changes;
 }
 
+/// Every input once a second, each a tenth of a second after the one before it: long enough for a plunger, often enough for flippers.
+std::vector<InputChange> demo_inputs(const World& world, double seconds) {
+    const int inputs = static_cast<int>(world.program().inputs.size());
+    const auto tick = [&](double time) { return static_cast<std::int64_t>(std::llround(time / world.step_length())); };
+    std::vector<InputChange> changes;
+    for (int second = 0; second < seconds && changes.size() < most_changes; ++second)
+        for (int input = 0; input < inputs; ++input) {
+            const double pressed = second + 0.1 * (input % 5);
+            changes.push_back({tick(pressed), input, 1});
+            changes.push_back({tick(pressed + 0.5), input, 0});
+        }
+    std::stable_sort(changes.begin(), changes.end(), [](const InputChange& a, const InputChange& b) { return a.tick < b.tick; });
+    return changes;
+}
+
 World world_of(const Table& table, const Options& options) {
     WorldOptions how;
     how.seed = options.seed;
@@ -101,6 +116,7 @@ World world_of(const Table& table, const Options& options) {
         world.add_ball(launch.at, launch.velocity);
     }
     if (!options.balls && options.launches.empty()) world.add_spawned_balls();
+    if (options.demo && world.balls().empty()) scatter_balls(world, 1, 0, options.seed);
     return world;
 }
 
@@ -154,7 +170,7 @@ void run(const Options& options) {
     SimulationOptions how;
     how.seconds = options.seconds.value_or(10);
     how.audit = options.audit;
-    how.inputs = read_inputs(options.inputs, *table.program);
+    how.inputs = options.demo ? demo_inputs(game.world(), how.seconds) : read_inputs(options.inputs, *table.program);
     how.observer = &recorder;
     recorder.start(game.world());
     const SimulationSummary summary = simulate(game, how);
@@ -197,7 +213,8 @@ void add_simulate(const Command& app, ExitCode& exit) {
     command.flag("--audit", options->audit, "Check every stretch of path densely against the true distance");
     command.option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV; - for stdout, the summary then on stderr").check(why_no_output);
     command.option("--events", options->events, "Write what happens as JSON lines; likewise").check(why_no_output);
-    command.option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release");
+    const Option inputs = command.option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release");
+    command.flag("--demo", options->demo, "Press the table's inputs by turns, and drop a ball where it has no spawn").excludes(inputs);
     command.flag("--json", options->json, "Print the summary as JSON");
     command.flag("--no-sweep", options->no_sweep, "").hidden();  // for tests of the auditor: balls tunnel
     command.callback([options, &exit] {

@@ -12,23 +12,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Puts a file with this content in the place of the target, whole or not at all.
+/// Puts a file with this content in the place of the target, whole or not at all. `expected`: of a document, what it takes the place of.
 Result<bool> replace_file(const fs::path& target, const std::string& content, const FileStatus& like, FolderLock& lock, const std::string& path,
-                          bool nameless = true) {
+                          const std::string* expected = nullptr, bool nameless = true) {
     if (lock.held()) clear_strays(target);
     Replacement replacement(target, path, like);
     Result<bool> done = replacement.begin(nameless);
     if (done) done = replacement.write(content);
     if (done) done = replacement.ready();
-    if (replacement.needs_name()) return replace_file(target, content, like, lock, path, false);
-    return done ? replacement.put_in_place(lock) : done;
-}
-
-/// What was there, beside the file: a courtesy, which never keeps anybody from saving. A link of that name is replaced, not followed.
-void keep_backup(const fs::path& target, const std::string& content, const struct stat& like, FolderLock& lock) {
-    fs::path backup = target;
-    backup += ".bak";
-    static_cast<void>(replace_file(backup, content, like, lock, backup.string()));
+    if (replacement.needs_name()) return replace_file(target, content, like, lock, path, expected, false);
+    if (!done) return done;
+    if (expected) {
+        const auto exchanged = replacement.exchange(*expected, backup_of(target), lock);
+        if (!exchanged) return tl::unexpected<Failure>(exchanged.error());
+        if (*exchanged) return true;
+        if (const auto now = read_file(path); !now || *now != *expected)  // as late as can be
+            return now ? failure(fmt::format("{} was changed by another program", path)) : tl::unexpected<Failure>(now.error());
+        static_cast<void>(replace_file(backup_of(target), *expected, like, lock, path));
+    }
+    return replacement.put_in_place(lock);
 }
 
 }  // namespace
@@ -81,9 +83,10 @@ Result<bool> save_file(const std::string& path, const std::string& content, cons
         if (!now) return tl::unexpected<Failure>(now.error());
         if (*now == content) return lock.sync() ? Result<bool>(true) : refused("make sure of", path);
         if (*now != *expected) return failure(fmt::format("{} was changed by another program", path));
-        keep_backup(target, *now, **status, lock);
     }
-    return replace_file(target, content, *status, lock, path);
+    return replace_file(target, content, *status, lock, path, expected ? &*expected : nullptr);
 }
+
+std::string backup_of(const std::string& path) { return path + ".pinfield.bak"; }
 
 }  // namespace pinfield

@@ -23,7 +23,11 @@ Result<FileStart> read_file_start(const std::string& path, std::size_t most);
 Result<bool> write_file(const std::string& path, const std::string& content);
 
 /// write_file() for a document: refuses when the disk no longer holds `expected` (nothing: the file must not exist yet), and keeps what
-/// was there as `path`.bak where that can be. Of two programs that save over the same content, by this function, one is refused.
+/// was there as backup_of(path) where that can be. Of two programs that save over the same content, by this function, one is refused; what
+/// any other program puts there meanwhile is noticed, too, and stays (where the system can exchange two files; else up to a moment).
 Result<bool> save_file(const std::string& path, const std::string& content, const std::optional<std::string>& expected);
+
+/// Where save_file() keeps what was there: a name that nobody else gives, so that no file of the author's is replaced.
+std::string backup_of(const std::string& path);
 
 }  // namespace pinfield

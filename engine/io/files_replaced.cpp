@@ -10,6 +10,8 @@
 #include <thread>
 #include <utility>
 
+#include "engine/io/files.h"
+
 namespace pinfield {
 namespace {
 
@@ -150,8 +152,37 @@ Result<bool> Replacement::ready() {
     return true;
 }
 
+Result<std::optional<bool>> Replacement::exchange(const std::string& expected, const fs::path& backup, FolderLock& lock) {
+#ifdef RENAME_EXCHANGE
+    const auto swap = [&] {
+        return again([&] { return ::renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE); }) == 0;
+    };
+    if (!out_.close()) return refused("write", path_);
+    if (!swap()) {
+        if (errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP) return std::optional<bool>();
+        return refused("write", path_);
+    }
+    const Result<std::string> was = read_file(temporary_.string());
+    if (!was || *was != expected) {
+        if (!swap()) {  // what they wrote stays, under the name that is left
+            const std::string left = std::exchange(temporary_, fs::path()).string();
+            const bool moved = ::rename(left.c_str(), backup.c_str()) == 0;
+            return failure(fmt::format("{} was changed by another program; what that wrote is in {}", path_, moved ? backup.string() : left));
+        }
+        return was ? failure(fmt::format("{} was changed by another program", path_)) : tl::unexpected<Failure>(was.error());
+    }
+    if (again([&] { return ::rename(temporary_.c_str(), backup.c_str()); }) != 0) ::unlink(temporary_.c_str());
+    temporary_.clear();
+    if (!lock.sync()) return refused("make sure of", path_);
+    return std::optional<bool>(true);
+#else
+    static_cast<void>(expected), static_cast<void>(backup), static_cast<void>(lock);
+    return std::optional<bool>();
+#endif
+}
+
 Result<bool> Replacement::put_in_place(FolderLock& lock) {
-    if (!out_.close() || again([&] { return ::rename(temporary_.c_str(), target_.c_str()); }) != 0) return refused("write", path_);
+    if ((out_ && !out_.close()) || again([&] { return ::rename(temporary_.c_str(), target_.c_str()); }) != 0) return refused("write", path_);
     temporary_.clear();
     if (!lock.sync()) return refused("make sure of", path_);
     return true;

@@ -86,6 +86,9 @@ public:
     Result<bool> ready();
     /// What was at the target is gone, and this is there. `lock`: of its folder.
     Result<bool> put_in_place(FolderLock& lock);
+    /// Likewise, when what is there is `expected`; it then becomes `backup`, where it can. The two change places at once, so that nothing which
+    /// anybody puts there in between is lost: when what comes out is another, they change back. None: the system cannot do that here.
+    Result<std::optional<bool>> exchange(const std::string& expected, const std::filesystem::path& backup, FolderLock& lock);
     /// ready() failed, as files without a name cannot be given one here, and one that begins with a name may do better.
     bool needs_name() const { return needs_name_; }
 

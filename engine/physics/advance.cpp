@@ -11,6 +11,7 @@ namespace pinfield {
 namespace {
 
 constexpr double longest_slice = 4;  // ball radii: fast balls look for contacts a piece of their way at a time
+constexpr double most_slices = 64;   // of a tick's way: a ball of a nanometre would look at it a million times
 
 Motion motion_of(const WorldState& w, std::size_t i) {
     if (w.work[i].frozen || w.balls[i].state != BallState::rolling) return {w.balls[i].position, {0, 0}, {0, 0}};
@@ -66,7 +67,7 @@ void advance_ball(WorldState& w, std::size_t i, double dt) {
 Slice sweep_slice(WorldState& w, std::size_t i, double rest, double room) {
     const double r = w.physics.ball_radius;
     const Motion path = motion_of(w, i);
-    const double speed = path.top_speed(rest), longest = longest_slice * r;
+    const double speed = path.top_speed(rest), longest = std::max(longest_slice * r, speed * w.physics.step / most_slices);
     Slice slice;
     slice.duration = speed * rest > longest ? longest / speed : rest;
     const double travel = path.travel(slice.duration);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/core/error_codes.h"
 #include "engine/program/compile_item.h"
 #include "engine/program/field.h"
@@ -52,17 +54,27 @@ void add_missing_domain(CompileContext& context, const std::vector<Item>& items,
     if (bounded != all) append(program.fixed, compile_default_domain(context, all & ~bounded));
 }
 
+/// Where the first node stands that names this layer.
+Place place_of_layer(const Scene& scene, const std::vector<Item>& items, const std::string& layer) {
+    for (const Item& item : items)
+        for (const Node* node = scene.find(item.node); node; node = node->parent ? scene.find(node->parent) : nullptr) {
+            const auto layers = node->get<std::vector<std::string>>("layer");
+            if (std::find(layers.begin(), layers.end(), layer) != layers.end()) return node->where;
+        }
+    return scene.table().where;
+}
+
 }  // namespace
 
 tl::expected<ProgramPtr, Diagnostics> compile(const Scene& scene) {
     if (Diagnostics findings = validate(scene); has_errors(findings)) return tl::unexpected(std::move(findings));
     std::vector<Item> items;
     for (const NodeId root : scene.roots()) collect_items(scene, root, items);
-    CompileContext context(scene, layer_names(scene, items));
+    CompileContext context(scene, layer_names(scene, items, most_layers + 1));
     if (context.layers.size() > most_layers) {
-        context.problems.push_back(diagnose(
-            Code::out_of_range, scene.table().where,
-            fmt::format("the table has {} layers, at most {} are possible", context.layers.size(), most_layers)));
+        context.problems.push_back(diagnose(Code::out_of_range, place_of_layer(scene, items, context.layers.back()),
+                                            fmt::format("{} is one layer more than the {} that are possible", context.layers.back(), most_layers),
+                                            fmt::format("{} is one of them, named or not", ground_layer_name)));
         return tl::unexpected(context.problems);
     }
     context.paths = scene.paths();

@@ -79,12 +79,12 @@ NodeId scene_node_of(const Scene& scene, NodeId id) {
     return id;
 }
 
-std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>& items) {
+std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>& items, std::size_t most) {
     std::vector<std::string> names{std::string(ground_layer_name)};
     for (const Item& item : items)
         for (const Node* node = scene.find(item.node); node; node = node->parent ? scene.find(node->parent) : nullptr)
             for (const std::string& layer : node->get<std::vector<std::string>>("layer"))
-                if (std::find(names.begin(), names.end(), layer) == names.end()) names.push_back(layer);
+                if (std::find(names.begin(), names.end(), layer) == names.end() && names.size() < most) names.push_back(layer);
     return names;
 }
 

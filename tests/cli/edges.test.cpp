@@ -190,3 +190,49 @@ TEST_CASE("inputs without end, and lines without end, are refused at once") {
     const std::string longest = std::string(5000, '1');
     CHECK_THAT(run_pinfield("eval " + first_table + " --points " + scratch.write("l.csv", "x,y\n" + longest + ",1\n")).err, Catch::Contains(":2: the line is longer"));
 }
+
+TEST_CASE("./play names a table that is not there and is exit 3, before it builds anything") {
+    const std::string play = std::string(pinfield::test::source_dir()) + "/play ";
+    const Scratch scratch;
+    for (const std::string& table : std::vector<std::string>{"''", "no/such/x", "'" + (scratch / "gone\x1b[31m") + "'", scratch / "."}) {
+        const std::string err = scratch / "err";
+        const int status = std::system((play + table + " >/dev/null 2>" + err + " </dev/null").c_str());
+        INFO(table << ": " << slurp(err));
+        CHECK(WEXITSTATUS(status) == 3);
+        CHECK_THAT(slurp(err), Catch::StartsWith("There is no table "));
+        CHECK(is_harmless(slurp(err)));
+    }
+}
+
+TEST_CASE("--demo plays any table: it presses what inputs there are, and drops a ball where there is no spawn") {
+    const Scratch scratch;
+    const std::string bare = scratch.write("bare.yaml", "pinfield: 1\nscene:\n  - circle: {at: [0.2, 0.2]}\n");
+    const json dropped = json::parse(run_pinfield("simulate --json --demo --seconds 2 " + bare).out);
+    CHECK(dropped["balls"] == 1);
+    CHECK(dropped["events"].contains("hit"));
+    const json played = json::parse(run_pinfield("simulate --json --demo --seconds 10 " + first_table).out);
+    CHECK(played["events"]["press"] >= 30);
+    CHECK(played["events"].contains("launch"));
+    CHECK(run_pinfield("simulate --demo --inputs x.csv " + first_table).exit == 2);
+}
+
+TEST_CASE("small and fast balls cost no more than others, and are audited as they are") {
+    const Scratch scratch;
+    const std::string tiny = scratch.write("tiny.yaml", "pinfield: 1\nphysics: {ball_radius: 1e-9}\nscene:\n  - circle: {radius: 10mm, at: [0.2, 0.3]}\n");
+    for (const char* launch : {"0.1,0.1,1e3,1e3", "0.1,0.1,1e6,1e5", "0.1,0.1,0.1,0.1"}) {
+        const json summary = json::parse(run_pinfield("simulate --json --seconds 0.1 " + tiny + " --launch " + launch).out);
+        CHECK(summary["wall_seconds"].get<double>() < 1);
+        CHECK(summary["escaped"] == 0);
+        CHECK(summary["capped_ticks"].is_number());
+    }
+}
+
+TEST_CASE("of thirty thousand layers one is told, at its place") {
+    const Scratch scratch;
+    std::string text = "pinfield: 1\nscene:\n";
+    for (int i = 0; i < 29'000; ++i) text += "  - circle: {layer: l" + std::to_string(i) + "}\n";
+    const Outcome outcome = run_pinfield("check " + scratch.write("t.yaml", text));
+    CHECK(outcome.exit == 1);
+    CHECK_THAT(outcome.out, Catch::Contains("t.yaml:34:5: error: l31 is one layer more than the 32 that are possible"));
+    CHECK(lines_of(outcome.out).size() == 4);
+}

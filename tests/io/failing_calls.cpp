@@ -97,6 +97,9 @@ int flock(int file, int operation) { return fails("flock") ? -1 : static_cast<in
 int fchmod(int file, mode_t mode) { return fails("fchmod") ? -1 : static_cast<int>(::syscall(SYS_fchmod, file, mode)); }
 int fchown(int file, uid_t owner, gid_t group) { return fails("fchown") ? -1 : static_cast<int>(::syscall(SYS_fchown, file, owner, group)); }
 int rename(const char* from, const char* to) { return fails("rename") ? -1 : static_cast<int>(::syscall(SYS_renameat, AT_FDCWD, from, AT_FDCWD, to)); }
+int renameat2(int from_folder, const char* from, int to_folder, const char* to, unsigned flags) noexcept {
+    return fails("renameat2") ? -1 : static_cast<int>(::syscall(SYS_renameat2, from_folder, from, to_folder, to, flags));
+}
 int linkat(int from_folder, const char* from, int to_folder, const char* to, int flags) {
     return fails("linkat") ? -1 : static_cast<int>(::syscall(SYS_linkat, from_folder, from, to_folder, to, flags));
 }

@@ -27,7 +27,7 @@ struct Place {
         table = (folder / "t.yaml").string();
         REQUIRE(write_file(table, old_text));
         fs::permissions(table, fs::perms::owner_read | fs::perms::owner_write);
-        REQUIRE(write_file(table + ".bak", older));
+        REQUIRE(write_file(backup_of(table), older));
     }
     ~Place() { fs::remove_all(folder); }
     Place(const Place&) = delete;
@@ -57,7 +57,7 @@ std::size_t save_twice(std::size_t nth, Fault fault, bool repeated, Tally& tally
                                                << (saved ? "saved" : saved.error().message));
     (saved ? tally.saved : tally.refused) += 1;
     const std::string now = *read_file(place.table);
-    const std::string backup = *read_file(place.table + ".bak");
+    const std::string backup = *read_file(backup_of(place.table));
     const bool whole = now == Place::new_text || (now == Place::old_text && !saved);
     const bool whole_backup = backup == Place::older || backup == Place::old_text;
     CHECK(whole);

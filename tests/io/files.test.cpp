@@ -54,7 +54,7 @@ TEST_CASE("saving keeps the previous content beside the file") {
     REQUIRE(save_file(folder.file("t.yaml"), "one", std::nullopt));
     REQUIRE(save_file(folder.file("t.yaml"), "two", "one"));
     CHECK(*read_file(folder.file("t.yaml")) == "two");
-    CHECK(*read_file(folder.file("t.yaml.bak")) == "one");
+    CHECK(*read_file(backup_of(folder.file("t.yaml"))) == "one");
     CHECK(folder.count() == 2);
 }
 
@@ -80,7 +80,7 @@ TEST_CASE("saving through a symbolic link replaces what it points at and keeps t
 
 TEST_CASE("a backup is as private as the table, follows no link and stands in nobody's way") {
     const Folder folder;
-    const std::string table = folder.file("t.yaml"), backup = table + ".bak";
+    const std::string table = folder.file("t.yaml"), backup = backup_of(table);
     REQUIRE(write_file(table, "one"));
     const fs::perms own = fs::perms::owner_read | fs::perms::owner_write;
     fs::permissions(table, own);
@@ -108,6 +108,34 @@ TEST_CASE("a backup is as private as the table, follows no link and stands in no
         REQUIRE(save_file(longest, "two", "one"));
         CHECK(*read_file(longest) == "two");
     }
+}
+
+TEST_CASE("what an author calls .bak is never touched") {
+    const Folder folder;
+    REQUIRE(write_file(folder.file("t.yaml"), "one"));
+    REQUIRE(write_file(folder.file("t.yaml.bak"), "my own copy"));
+    REQUIRE(save_file(folder.file("t.yaml"), "two", "one"));
+    CHECK(*read_file(folder.file("t.yaml.bak")) == "my own copy");
+}
+
+TEST_CASE("what another program, which asks for no lock, puts in a file's place during a save is never lost") {
+    const Folder folder;
+    const std::string table = folder.file("t.yaml"), theirs = folder.file("theirs");
+    int refused = 0;
+    for (int round = 0; round < 300; ++round) {
+        REQUIRE(write_file(table, "old"));
+        std::ofstream(theirs) << "theirs";
+        std::thread other([&] {
+            for (int spin = 0; spin < 40 * (round % 60); ++spin) std::this_thread::yield();
+            fs::rename(theirs, table);
+        });
+        const bool saved = save_file(table, "mine", "old").has_value();
+        other.join();
+        refused += saved ? 0 : 1;
+        // Theirs came last and stays, or came before mine, which then was refused: in no case is it gone.
+        REQUIRE(*read_file(table) == "theirs");
+    }
+    CHECK(refused <= 300);
 }
 
 TEST_CASE("a read-only file is not replaced") {
