@@ -11,6 +11,7 @@
 #include "editor/widgets/screen_text.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
+#include "engine/core/shown.h"
 #include "engine/io/png.h"
 
 namespace pinfield::editor {
@@ -41,7 +42,7 @@ void listen_to_signals() {
 std::string window_title(const Document& document) {
     const std::string& path = document.path();
     const std::string name = path.empty() ? "Untitled" : path.substr(path.find_last_of('/') + 1);
-    return (document.dirty() ? "\u2022 " : "") + name + " \u2013 Pinfield";
+    return (document.dirty() ? "\u2022 " : "") + shown(name) + " \u2013 Pinfield";
 }
 
 /// What balls meet though it is not drawn: while a table is made its author must see it.

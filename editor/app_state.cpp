@@ -16,6 +16,7 @@
 #include "editor/starters.h"
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
+#include "engine/core/shown.h"
 #include "engine/scene/validate.h"
 
 namespace pinfield::editor {
@@ -23,7 +24,7 @@ namespace {
 
 const std::shared_ptr<const SourceText>& text_of(const AppState& state) { return state.document.scene().sources.shared_main(); }
 
-std::string name_of(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
+std::string name_of(const std::string& path) { return shown(path.substr(path.find_last_of('/') + 1)); }
 
 std::string name_of(const Document& document) { return document.path().empty() ? "the new table" : name_of(document.path()); }
 
@@ -305,8 +306,8 @@ void run(AppState& state, std::string_view action) {
     say(state, fmt::format("{}: not now", find_action(action)->label), true);
 }
 
-void say(AppState& state, std::string message, bool problem) {
-    state.message = std::move(message);
+void say(AppState& state, const std::string& message, bool problem) {
+    state.message = shown(message);
     state.message_is_problem = problem;
     ++state.said;
     state.occasion = {text_of(state), state.selection.nodes()};

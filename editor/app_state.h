@@ -127,7 +127,7 @@ bool is_on(const AppState& state, std::string_view action);
 
 /// What the status line says from now on, until the text changes; a problem also until something else is selected or done, anything else
 /// for some seconds.
-void say(AppState& state, std::string message, bool problem = false);
+void say(AppState& state, const std::string& message, bool problem = false);
 /// The status line says nothing more of a problem.
 void forget_problem(AppState& state);
 /// So many seconds have passed.

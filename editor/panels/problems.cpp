@@ -1,6 +1,7 @@
 #include "editor/panels/ui.h"
 #include "editor/source_places.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/shown.h"
 
 namespace pinfield::editor {
 
@@ -30,16 +31,16 @@ void problem_row(AppState& state, Ui& ui, const Diagnostic& problem, const Sourc
     const float where_width = ImGui::CalcTextSize(where.c_str()).x;
     list.AddText({place.x + width - where_width - theme.px(10), y}, ink(palette::quiet), where.c_str());
     const float left = place.x + theme.px(30), right = place.x + width - where_width - theme.px(30);
-    const std::string message = fitted(problem.message, right - left);
+    const std::string message = fitted(shown(problem.message), right - left);
     list.AddText({left, y}, ink(palette::text), message.c_str());
     const float after = left + ImGui::CalcTextSize(message.c_str()).x + theme.px(14);
-    if (!problem.hint.empty() && message == problem.message && right - after > theme.px(60))
-        list.AddText({after, y}, ink(palette::quiet), fitted(problem.hint, right - after).c_str());
+    if (!problem.hint.empty() && message == shown(problem.message) && right - after > theme.px(60))
+        list.AddText({after, y}, ink(palette::quiet), fitted(shown(problem.hint), right - after).c_str());
     if (hot) {
         const SourceText* source = sources.find(problem.where);
         const std::string_view line = source ? source->line(at.line) : std::string_view();
-        std::string text = problem.message + "\n" + std::string(line.substr(0, 200));
-        if (!problem.hint.empty()) text += "\n" + problem.hint;
+        std::string text = shown(problem.message) + "\n" + shown(line.substr(0, 200));
+        if (!problem.hint.empty()) text += "\n" + shown(problem.hint);
         tooltip(theme, text);
     }
 }

@@ -6,11 +6,12 @@
 
 #include "editor/panels/source_lines.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/shown.h"
 
 namespace pinfield::editor {
 namespace {
 
-std::string with_hint(const Diagnostic& problem) { return problem.message + (problem.hint.empty() ? "" : "\n" + problem.hint); }
+std::string with_hint(const Diagnostic& problem) { return shown(problem.message) + (problem.hint.empty() ? "" : "\n" + shown(problem.hint)); }
 
 /// What is wrong in the text that is shown, and no other.
 std::vector<SourceMark> marks_of(const AppState& state) {
@@ -74,7 +75,7 @@ void footer(AppState& state, Ui& ui, ImVec2 place, ImVec2 size) {
         line(palette::quiet, "What is typed here is kept, and not yet in the table.");
     } else {
         const int at = ui.source.shown->line_column(problems.front().where.span.begin).line;
-        line(palette::text, "Line " + std::to_string(at) + ": " + problems.front().message);
+        line(palette::text, "Line " + std::to_string(at) + ": " + shown(problems.front().message));
     }
     ImGui::SetCursorScreenPos({left, y + theme.px(2)});
     std::string_view action;

@@ -22,6 +22,13 @@ AppState touched_state(const Folder& folder) {
 
 }  // namespace
 
+TEST_CASE("the status line shows names from strangers without what hides in them") {
+    const Folder folder;
+    AppState state = opened_state(folder);
+    say(state, "Opened a\x1b[31m\nb\u202e.yaml");
+    CHECK(state.message == "Opened a\\x1b[31m\\nb\\u202e.yaml");
+}
+
 TEST_CASE("a clean table is left without a question") {
     const Folder folder;
     AppState state = opened_state(folder);
