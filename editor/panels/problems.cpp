@@ -39,8 +39,9 @@ void problem_row(AppState& state, Ui& ui, const Diagnostic& problem, const Sourc
     if (hot) {
         const SourceText* source = sources.find(problem.where);
         const std::string_view line = source ? source->line(at.line) : std::string_view();
-        std::string text = shown(problem.message) + "\n" + shown(line.substr(0, 200));
-        if (!problem.hint.empty()) text += "\n" + shown(problem.hint);
+        std::string text = shown(problem.message);
+        (text += '\n') += shown(line.substr(0, 200));
+        if (!problem.hint.empty()) (text += '\n') += shown(problem.hint);
         tooltip(theme, text);
     }
 }

@@ -11,7 +11,11 @@
 namespace pinfield::editor {
 namespace {
 
-std::string with_hint(const Diagnostic& problem) { return shown(problem.message) + (problem.hint.empty() ? "" : "\n" + shown(problem.hint)); }
+std::string with_hint(const Diagnostic& problem) {
+    std::string text = shown(problem.message);
+    if (!problem.hint.empty()) (text += '\n') += shown(problem.hint);
+    return text;
+}
 
 /// What is wrong in the text that is shown, and no other.
 std::vector<SourceMark> marks_of(const AppState& state) {
