@@ -175,25 +175,25 @@ std::string reference_markdown(const std::vector<const NodeType*>& types) {
 
 namespace {
 
-/// Calls tell(unit, its suffixes) for every unit that has some.
+/// Calls tell(symbol, suffixes) for every dimension that has some.
 template <class F>
 void each_unit(F&& tell) {
-    Unit last = Unit::none;
+    Dimension last;
     for (const UnitSuffix& suffix : unit_suffixes())
-        if (suffix.unit != last) tell(last = suffix.unit, suffixes_of(suffix.unit));
+        if (suffix.dimension != last) tell(symbol(last = suffix.dimension), suffixes_of(suffix.dimension));
 }
 
 }  // namespace
 
 std::string units_text() {
     std::string out = "Units that a number may carry; without one it is in the first column's:\n";
-    each_unit([&](Unit unit, const std::string& suffixes) { out += fmt::format("    {:<8} {}\n", symbol(unit), suffixes); });
+    each_unit([&](const std::string& unit, const std::string& suffixes) { out += fmt::format("    {:<8} {}\n", unit, suffixes); });
     return out;
 }
 
 std::string units_markdown() {
     std::string out = "## Units\n\nA number without one is in the first column's.\n\n| unit | may be written |\n|---|---|\n";
-    each_unit([&](Unit unit, const std::string& suffixes) { out += fmt::format("| {} | {} |\n", symbol(unit), suffixes); });
+    each_unit([&](const std::string& unit, const std::string& suffixes) { out += fmt::format("| {} | {} |\n", unit, suffixes); });
     return out;
 }
 

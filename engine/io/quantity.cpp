@@ -15,68 +15,8 @@
 namespace pinfield {
 namespace {
 
-constexpr double degrees_per_radian = 57.295779513082320876798;
-
-constexpr std::array suffixes{
-    UnitSuffix{"um", Unit::metre, -6, 1},
-    UnitSuffix{"mm", Unit::metre, -3, 1},
-    UnitSuffix{"cm", Unit::metre, -2, 1},
-    UnitSuffix{"m", Unit::metre, 0, 1},
-    UnitSuffix{"in", Unit::metre, 0, 0.0254},
-    UnitSuffix{"ft", Unit::metre, 0, 0.3048},
-    UnitSuffix{"deg", Unit::degree, 0, 1},
-    UnitSuffix{"rad", Unit::degree, 0, degrees_per_radian},
-    UnitSuffix{"us", Unit::second, -6, 1},
-    UnitSuffix{"ms", Unit::second, -3, 1},
-    UnitSuffix{"s", Unit::second, 0, 1},
-    UnitSuffix{"g", Unit::kilogram, -3, 1},
-    UnitSuffix{"kg", Unit::kilogram, 0, 1},
-    UnitSuffix{"mm/s", Unit::metre_per_second, -3, 1},
-    UnitSuffix{"cm/s", Unit::metre_per_second, -2, 1},
-    UnitSuffix{"m/s", Unit::metre_per_second, 0, 1},
-    UnitSuffix{"mm/s^2", Unit::metre_per_second2, -3, 1},
-    UnitSuffix{"m/s^2", Unit::metre_per_second2, 0, 1},
-    UnitSuffix{"deg/s", Unit::degree_per_second, 0, 1},
-    UnitSuffix{"rad/s", Unit::degree_per_second, 0, degrees_per_radian},
-    UnitSuffix{"deg/s^2", Unit::degree_per_second2, 0, 1},
-    UnitSuffix{"rad/s^2", Unit::degree_per_second2, 0, degrees_per_radian},
-    UnitSuffix{"s/m", Unit::seconds_per_metre, 0, 1},
-};
-
-std::string_view measured(Unit unit) {
-    switch (unit) {
-        case Unit::none: return "a plain number";
-        case Unit::metre: return "a length";
-        case Unit::degree: return "an angle";
-        case Unit::second: return "a time";
-        case Unit::kilogram: return "a mass";
-        case Unit::metre_per_second: return "a speed";
-        case Unit::metre_per_second2: return "an acceleration";
-        case Unit::degree_per_second: return "an angular speed";
-        case Unit::degree_per_second2: return "an angular acceleration";
-        case Unit::seconds_per_metre: return "an inverse speed";
-    }
-    return "a number";
-}
-
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-/// The beginning of `text` that was meant as a number, mistakes included: sign, digits, points, `_`, `:`, an exponent.
-std::size_t number_length(std::string_view text) {
-    std::size_t i = 0;
-    if (i < text.size() && (text[i] == '+' || text[i] == '-')) ++i;
-    while (i < text.size() && (is_digit(text[i]) || text[i] == '.' || text[i] == '_' || text[i] == ':')) ++i;
-    if (i + 1 < text.size() && (text[i] == 'e' || text[i] == 'E')) {
-        std::size_t j = i + 1;
-        if (text[j] == '+' || text[j] == '-') ++j;
-        if (j < text.size() && is_digit(text[j])) {
-            while (j < text.size() && is_digit(text[j])) ++j;
-            i = j;
-        }
-    }
-    return i;
-}
 
 bool looks_numeric(std::string_view text) {
     if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
@@ -107,64 +47,19 @@ bool looks_like_expression(std::string_view text) {
 }
 
 QuantityError malformed(std::string_view text, std::string_view digits) {
-    const std::string_view unsigned_digits =
-        digits.substr(digits.find_first_not_of("+-") == std::string_view::npos ? 0 : digits.find_first_not_of("+-"));
-    if (digits.find('_') != std::string_view::npos)
-        return {Code::malformed_number, fmt::format("{} has a _ in a number", text), "write the digits without it"};
-    if (digits.find(':') != std::string_view::npos)
-        return {Code::malformed_number, fmt::format("{} has a colon in a number", text), "a time is in seconds: 90s"};
-    if (unsigned_digits.size() > 1 && unsigned_digits[0] == '0' && is_digit(unsigned_digits[1]))
-        return {Code::malformed_number, fmt::format("{} has a leading zero", text),
-                "some programs would read it as octal: leave the zero away"};
-    return {Code::malformed_number, fmt::format("{} is not a number a computer can hold", text), ""};
-}
-
-/// The digits with a power of ten appended: the point is moved, nothing is multiplied.
-std::optional<double> shifted(std::string_view digits, int power) {
-    const std::size_t e = digits.find_first_of("eE");
-    int exponent = 0;
-    std::string_view mantissa = digits;
-    if (e != std::string_view::npos) {
-        mantissa = digits.substr(0, e);
-        std::string_view written = digits.substr(e + 1);
-        if (written.starts_with('+')) written.remove_prefix(1);
-        if (std::from_chars(written.data(), written.data() + written.size(), exponent).ec != std::errc{} ||
-            std::abs(exponent) > 9999)
-            return {};
-    }
-    return parse_number(fmt::format("{}e{}", mantissa, exponent + power));
-}
-
-/// Signs and words for what has a suffix here.
-struct Spelling {
-    std::string_view theirs, suffix;
-};
-constexpr std::array spellings{
-    Spelling{"\u00b0", "deg"},       Spelling{"degree", "deg"},     Spelling{"degrees", "deg"},   Spelling{"radians", "rad"},
-    Spelling{"\"", "in"},           Spelling{"''", "in"},          Spelling{"\u2033", "in"},     Spelling{"inch", "in"},
-    Spelling{"inches", "in"},       Spelling{"'", "ft"},           Spelling{"\u2032", "ft"},     Spelling{"feet", "ft"},
-    Spelling{"\u00b5m", "um"},       Spelling{"\u03bcm", "um"},      Spelling{"metre", "m"},       Spelling{"metres", "m"},
-    Spelling{"meter", "m"},         Spelling{"meters", "m"},       Spelling{"millimetres", "mm"}, Spelling{"millimeters", "mm"},
-    Spelling{"centimetres", "cm"},  Spelling{"centimeters", "cm"}, Spelling{"sec", "s"},         Spelling{"seconds", "s"},
-    Spelling{"mps", "m/s"},         Spelling{"grams", "g"},
-};
-
-/// The suffix that a sign or word stands for, or nothing.
-std::string_view spelling_of(std::string_view word) {
-    const auto found = std::find_if(spellings.begin(), spellings.end(), [&](const Spelling& s) { return s.theirs == word; });
-    return found == spellings.end() ? std::string_view{} : found->suffix;
+    const WrongDigits wrong = why_no_number(digits);
+    return {Code::malformed_number, fmt::format("{} {}", text, wrong.what), std::string(wrong.hint)};
 }
 
 QuantityError unit_error(std::string_view text, std::string_view word, Unit unit) {
     const std::string allowed = suffixes_of(unit);
     const std::string units = allowed.empty() ? "write it without a unit" : fmt::format("units here: {}", allowed);
-    for (const UnitSuffix& s : suffixes)
-        if (s.text == word)
-            return {Code::wrong_dimension,
-                    fmt::format("{} is {} where {} is due", text, measured(s.unit), measured(unit)), units};
+    if (const UnitSuffix* other = find_suffix(word))
+        return {Code::wrong_dimension,
+                fmt::format("{} is {} where {} is due", text, measured(other->dimension), measured(dimension_of(unit))), units};
     std::vector<std::string_view> words;
-    for (const UnitSuffix& s : suffixes)
-        if (s.unit == unit) words.push_back(s.text);
+    for (const UnitSuffix& s : unit_suffixes())
+        if (s.dimension == dimension_of(unit)) words.push_back(s.text);
     // In two letters anything is near anything: km is not mm.
     const auto close = word.size() > 2 ? closest_match(word, words) : std::nullopt;
     return {Code::unknown_unit, fmt::format("{} is no unit", word),
@@ -173,13 +68,20 @@ QuantityError unit_error(std::string_view text, std::string_view word, Unit unit
 
 }  // namespace
 
-std::span<const UnitSuffix> unit_suffixes() { return suffixes; }
-
-std::string suffixes_of(Unit unit) {
-    std::string out;
-    for (const UnitSuffix& s : suffixes)
-        if (s.unit == unit) out += (out.empty() ? "" : ", ") + std::string(s.text);
-    return out;
+Dimension dimension_of(Unit unit) {
+    switch (unit) {
+        case Unit::none: return {};
+        case Unit::metre: return {1, 0, 0, 0};
+        case Unit::degree: return {0, 1, 0, 0};
+        case Unit::second: return {0, 0, 1, 0};
+        case Unit::kilogram: return {0, 0, 0, 1};
+        case Unit::metre_per_second: return {1, 0, -1, 0};
+        case Unit::metre_per_second2: return {1, 0, -2, 0};
+        case Unit::degree_per_second: return {0, 1, -1, 0};
+        case Unit::degree_per_second2: return {0, 1, -2, 0};
+        case Unit::seconds_per_metre: return {-1, 0, 1, 0};
+    }
+    return {};
 }
 
 QuantityResult read_quantity(std::string_view written, Unit unit) {
@@ -194,12 +96,12 @@ QuantityResult read_quantity(std::string_view written, Unit unit) {
                                  fmt::format("{} is no number, and expressions are not supported yet", text), ""};
         return QuantityError{Code::wrong_type, "a number is due here", ""};
     }
-    const std::string_view digits = text.substr(0, number_length(text));
+    const std::string_view digits = text.substr(0, number_length(text, true));
     std::string_view word = text.substr(digits.size());
     const std::string_view trimmed = word.substr(std::min(word.find_first_not_of(' '), word.size()));
-    const auto same = [&](const UnitSuffix& s) { return s.text == trimmed && s.unit == unit; };
-    const auto suffix = std::find_if(suffixes.begin(), suffixes.end(), same);
-    if (const std::string_view meant = spelling_of(trimmed); !meant.empty() && parse_number(digits)) {
+    const UnitSuffix* suffix = find_suffix(trimmed);
+    if (suffix && suffix->dimension != dimension_of(unit)) suffix = nullptr;
+    if (const std::string_view meant = suffix_for(trimmed); !meant.empty() && parse_number(digits)) {
         const QuantityResult right = read_quantity(fmt::format("{}{}", digits, meant), unit);
         if (right) return QuantityError{Code::unknown_unit, fmt::format("{} is no unit here", trimmed), fmt::format("write {}{}", digits, meant)};
         return right.error();
@@ -207,11 +109,11 @@ QuantityResult read_quantity(std::string_view written, Unit unit) {
     if (digits.size() == 1 && digits[0] == '0' && !word.empty() && (word[0] == 'x' || word[0] == 'o'))
         return QuantityError{Code::malformed_number, fmt::format("{} is not a decimal number", text),
                              "write it in decimal digits"};
-    if (!word.empty() && suffix == suffixes.end() && word.find_first_of("+-*%()<>= ") != std::string_view::npos &&
+    if (!word.empty() && !suffix && word.find_first_of("+-*%()<>= ") != std::string_view::npos &&
         word != trimmed)
         return QuantityError{Code::expression_unsupported,
                              fmt::format("{} is no number, and expressions are not supported yet", text), ""};
-    if (!trimmed.empty() && suffix == suffixes.end()) {
+    if (!trimmed.empty() && !suffix) {
         const bool unit_like =
             std::all_of(word.begin(), word.end(),
                         [](char c) { return is_letter(c) || c == '/' || c == '^' || is_digit(c); }) &&
@@ -225,11 +127,9 @@ QuantityResult read_quantity(std::string_view written, Unit unit) {
     if (word != trimmed)
         return QuantityError{Code::malformed_number, fmt::format("{} has a blank before its unit", text),
                              fmt::format("write {}{}", digits, trimmed)};
-    if (!parse_number(digits)) return malformed(text, digits);
-    if (trimmed.empty()) return Quantity{*parse_number(digits), digits, nullptr};
-    const std::optional<double> value = shifted(digits, suffix->power_of_ten);
-    if (!value || !std::isfinite(*value * suffix->factor)) return malformed(text, digits);
-    return Quantity{*value * suffix->factor, digits, &*suffix};
+    const std::optional<double> value = number_in(digits, suffix);
+    if (!value) return malformed(text, digits);
+    return Quantity{*value, digits, suffix};
 }
 
 namespace {

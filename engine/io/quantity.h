@@ -1,26 +1,18 @@
 // Numbers with units as people write them, and back: "24mm" is 0.024 m, and stays in millimetres when it is edited.
 #pragma once
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "engine/core/error_codes.h"
+#include "engine/core/units.h"
 #include "engine/reflect/describe.h"
 
 namespace pinfield {
 
-/// One spelling of a unit. A factor that is a power of ten shifts the decimal point, so that nothing is rounded twice.
-struct UnitSuffix {
-    std::string_view text;
-    Unit unit;
-    int power_of_ten;
-    double factor;  ///< in units of the field (m, deg, s ...); 1 where power_of_ten says it all
-};
-
-std::span<const UnitSuffix> unit_suffixes();
+/// What a field of this unit measures.
+Dimension dimension_of(Unit unit);
 /// "um, mm, cm, m, in, ft"; empty for a plain number.
-std::string suffixes_of(Unit unit);
+inline std::string suffixes_of(Unit unit) { return suffixes_of(dimension_of(unit)); }
 
 /// A number as read: its value in the field's unit and how it was written.
 struct Quantity {

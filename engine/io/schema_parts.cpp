@@ -23,7 +23,7 @@ std::string escaped(std::string_view text) {
 std::string quantity_pattern(Unit unit) {
     std::string suffixes;
     for (const UnitSuffix& s : unit_suffixes())
-        if (s.unit == unit) suffixes.append(suffixes.empty() ? "" : "|").append(escaped(s.text));
+        if (s.dimension == dimension_of(unit)) suffixes.append(suffixes.empty() ? "" : "|").append(escaped(s.text));
     const std::string number = R"([+-]?((0|[1-9][0-9]*)(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?)";
     return suffixes.empty() ? fmt::format("^{}$", number) : fmt::format("^{}({})?$", number, suffixes);
 }

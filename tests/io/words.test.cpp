@@ -79,7 +79,7 @@ TEST_CASE("the reference tells every unit with all its spellings") {
     const std::string text = units_text(), markdown = units_markdown();
     for (const UnitSuffix& suffix : unit_suffixes()) {
         CHECK(text.find(suffix.text) != std::string::npos);
-        CHECK(markdown.find("| " + suffixes_of(suffix.unit) + " |") != std::string::npos);
+        CHECK(markdown.find("| " + suffixes_of(suffix.dimension) + " |") != std::string::npos);
     }
     CHECK(std::count(text.begin(), text.end(), '\n') == 10);  // a line a unit
 }
