@@ -31,6 +31,8 @@ constexpr std::array codes{
     ErrorCode{"E0120", "unknown_alias", "an alias names no anchor above it"},
     ErrorCode{"E0121", "bad_key", "a key is not a plain word"},
     ErrorCode{"E0122", "too_many_errors", "there are more errors than anybody would read"},
+    ErrorCode{"E0123", "expression_too_deep", "an expression has too many brackets within each other"},
+    ErrorCode{"E0124", "expression_too_long", "an expression has too many parts"},
 
     ErrorCode{"E0201", "wrong_shape", "a map, a list or a single value stands where another of them is due"},
     ErrorCode{"E0202", "unknown_key", "no such key here"},
@@ -57,6 +59,8 @@ constexpr std::array codes{
     ErrorCode{"E0222", "bad_name", "a name is not of the form [a-z_][a-z0-9_]*"},
     ErrorCode{"E0223", "comma_split", "a comma of the flow style split an expression"},
     ErrorCode{"E0224", "bad_expectation", "not of the form: quantity comparison number"},
+    ErrorCode{"E0225", "bad_expression", "an expression that cannot be understood"},
+    ErrorCode{"E0226", "no_value", "an expression that has no value here, such as a division by zero"},
 
     ErrorCode{"E0301", "unknown_material", "no material of this name"},
     ErrorCode{"E0302", "unknown_input", "no input of this name"},

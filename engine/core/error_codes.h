@@ -34,6 +34,8 @@ enum class Code : unsigned char {
     unknown_alias,
     bad_key,
     too_many_errors,
+    expression_too_deep,
+    expression_too_long,
 
     wrong_shape,
     unknown_key,
@@ -59,6 +61,8 @@ enum class Code : unsigned char {
     bad_name,
     comma_split,
     bad_expectation,
+    bad_expression,
+    no_value,
 
     unknown_material,
     unknown_input,
