@@ -44,7 +44,7 @@ const std::vector<Row>& layer_table() {
         {"engine/sdf/", {"engine/core/", "engine/reflect/"}, {"Eigen/", "xsimd/"}},
         {"engine/scene/", {"engine/core/", "engine/reflect/", "engine/sdf/"}, {"Eigen/"}},
         {"engine/io/",
-         {"engine/core/", "engine/reflect/", "engine/scene/", "engine/io/"},
+         {"engine/core/", "engine/reflect/", "engine/expression/", "engine/scene/", "engine/io/"},
          {"Eigen/", "yaml-cpp/", "nlohmann/", "stb/"}},
         // fsync before rename: what no C++ library offers, and POSIX (emscripten too) does.
         {"engine/io/files",

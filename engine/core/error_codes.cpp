@@ -68,7 +68,6 @@ constexpr std::array codes{
     ErrorCode{"E0304", "unknown_quantity", "nothing by this name is measured"},
 
     ErrorCode{"E0401", "params_unsupported", "params are not supported yet"},
-    ErrorCode{"E0402", "expression_unsupported", "expressions are not supported yet"},
     ErrorCode{"E0403", "templates_unsupported", "templates are not supported yet"},
     ErrorCode{"E0404", "use_unsupported", "use is not supported yet"},
     ErrorCode{"E0405", "copies_unsupported", "copies are not supported yet"},

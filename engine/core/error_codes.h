@@ -70,7 +70,6 @@ enum class Code : unsigned char {
     unknown_quantity,
 
     params_unsupported,
-    expression_unsupported,
     templates_unsupported,
     use_unsupported,
     copies_unsupported,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/core/at.h"
 #include "engine/io/other_words.h"
@@ -60,8 +61,17 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
     if (repeats_too_often(context, field, value))
         return context.report(Code::too_many_repeats, value.span,
                               fmt::format("more than {} copies", context.limits.repeats));
-    const auto read = read_value(context, field, value);
-    if (read) at(node.fields, index) = {*read, true, context.source.place(value.span)};
+    context.written.clear();
+    context.numbers_read = 0;
+    auto read = read_value(context, field, value);
+    if (!read) return;
+    // An expression's outcome is known only now.
+    if (const auto* count = std::get_if<std::int64_t>(&*read);
+        count && field.meta.meaning == Meaning::count && *count > static_cast<std::int64_t>(context.limits.repeats))
+        return context.report(Code::too_many_repeats, value.span, fmt::format("more than {} copies", context.limits.repeats));
+    FieldSlot& slot = at(node.fields, index);
+    slot = {std::move(*read), true, context.source.place(value.span)};
+    if (!context.written.empty()) slot.written = std::make_shared<const WrittenNumbers>(std::exchange(context.written, {}));
 }
 
 void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNode& key, const YamlNode* list) {

@@ -47,15 +47,15 @@ std::string flow_map(const std::vector<std::string>& entries) { return fmt::form
 
 std::vector<std::string> entries_of(const Node& node) {
     return entries_if(node, [](const FieldType& field, const FieldSlot& slot) -> std::optional<std::string> {
-        if (!field.meta.required && identical(slot.value, field.initial)) return {};
-        return write_value(field, slot.value);
+        if (!field.meta.required && !slot.written && identical(slot.value, field.initial)) return {};
+        return write_slot(field, slot);
     });
 }
 
 std::vector<std::string> explicit_entries(const Node& node, const NodeStyle& style) {
     return entries_if(node, [&](const FieldType& field, const FieldSlot& slot) -> std::optional<std::string> {
         if (!slot.is_explicit) return {};
-        return write_value(field, slot.value, style.number ? style.number(field.meta.unit) : std::string());
+        return write_slot(field, slot, style.number ? style.number(field.meta.unit) : std::string());
     });
 }
 

@@ -46,6 +46,10 @@ bool looks_like_expression(std::string_view text) {
            });
 }
 
+QuantityError expression_of(std::string_view text) {
+    return {Code::wrong_type, fmt::format("a number is due here, not {}", text), "", true};
+}
+
 QuantityError malformed(std::string_view text, std::string_view digits) {
     const WrongDigits wrong = why_no_number(digits);
     return {Code::malformed_number, fmt::format("{} {}", text, wrong.what), std::string(wrong.hint)};
@@ -92,8 +96,7 @@ QuantityResult read_quantity(std::string_view written, Unit unit) {
     if (looks_infinite(text)) return QuantityError{Code::not_finite, fmt::format("{} is no finite number", text), ""};
     if (!looks_numeric(text)) {
         if (!is_boolean_word(text) && looks_like_expression(text))
-            return QuantityError{Code::expression_unsupported,
-                                 fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+            return expression_of(text);
         return QuantityError{Code::wrong_type, "a number is due here", ""};
     }
     const std::string_view digits = text.substr(0, number_length(text, true));
@@ -111,16 +114,14 @@ QuantityResult read_quantity(std::string_view written, Unit unit) {
                              "write it in decimal digits"};
     if (!word.empty() && !suffix && word.find_first_of("+-*%()<>= ") != std::string_view::npos &&
         word != trimmed)
-        return QuantityError{Code::expression_unsupported,
-                             fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+        return expression_of(text);
     if (!trimmed.empty() && !suffix) {
         const bool unit_like =
             std::all_of(word.begin(), word.end(),
                         [](char c) { return is_letter(c) || c == '/' || c == '^' || is_digit(c); }) &&
             is_letter(word[0]);
         if (!unit_like && parse_number(digits))
-            return QuantityError{Code::expression_unsupported,
-                                 fmt::format("{} is no number, and expressions are not supported yet", text), ""};
+            return expression_of(text);
         if (!parse_number(digits)) return malformed(text, digits);
         return unit_error(text, trimmed, unit);
     }

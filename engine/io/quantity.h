@@ -25,6 +25,7 @@ struct QuantityError {
     Code code = Code::wrong_type;
     std::string message;
     std::string hint;
+    bool may_be_expression = false;  ///< it is more than a number: whoever reads expressions goes on from here
 };
 
 /// Reads a number for a field of this unit, or says in words what is wrong with it.

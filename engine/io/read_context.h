@@ -9,6 +9,7 @@
 #include "engine/io/limits.h"
 #include "engine/io/yaml_tree.h"
 #include "engine/reflect/catalog.h"
+#include "engine/scene/scene.h"
 
 namespace pinfield {
 
@@ -17,6 +18,8 @@ struct ReadContext {
     const Catalog& catalog;
     const Limits& limits;
     Diagnostics& diagnostics;
+    WrittenNumbers written{};  ///< numbers of the value that is being read which are expressions
+    int numbers_read = 0;      ///< of that value, so far
 
     void report(Diagnostic found) {
         if (diagnostics.size() < limits.errors)

@@ -128,7 +128,7 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Retype& edit) {
         if (was_there) return failure(fmt::format("{} would change its value", field.key));
         const YamlNode& body = *text.children_of(indices)->body;
         const std::string entry =
-            fmt::format("{}: {}", field.key, write_value(field, edit.fields[i].value, text.style(&node).number(field.meta.unit)));
+            fmt::format("{}: {}", field.key, write_slot(field, edit.fields[i], text.style(&node).number(field.meta.unit)));
         const Splice splice = body.is_empty() ? insert_body(text.text(), body, entry) : insert_entry(text.text(), body, 0, entry);
         if (const auto written = text.write({splice}); !written) return written;
     }

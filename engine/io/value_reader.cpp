@@ -8,6 +8,8 @@
 
 #include "engine/core/closest.h"
 #include "engine/core/color.h"
+#include "engine/core/numbers.h"
+#include "engine/expression/expression.h"
 #include "engine/io/quantity.h"
 #include "engine/scene/validate.h"
 #include "engine/io/yaml_text.h"
@@ -32,11 +34,56 @@ void report_shape(ReadContext& context, const YamlNode& node, std::string_view w
 /// A word that stands for a parameter where a text is due.
 bool is_dollar_name(std::string_view text) { return text.size() > 1 && text[0] == '$' && is_name(text.substr(1)); }
 
+/// Bytes of a scalar's text as bytes of the file; the whole scalar where the file does not hold its text letter by letter.
+Span span_within(const ReadContext& context, const YamlNode& node, Span span) {
+    const std::string_view held = context.source.slice(node.span);
+    const std::size_t begin = held.find(node.text);
+    if (begin == std::string_view::npos) return node.span;
+    return {node.span.begin + begin + span.begin, node.span.begin + begin + span.end};
+}
+
+/// What stands where a number is due and is more than one.
+std::optional<double> read_expression(ReadContext& context, const FieldMeta& meta, const YamlNode& node) {
+    const auto refuse = [&](const ExpressionError& e) {
+        context.report(e.code, span_within(context, node, e.span), e.message, e.hint);
+        return std::nullopt;
+    };
+    const auto expression = parse_expression(node.text);
+    if (!expression) return refuse(expression.error());
+    if (!expression->names.empty()) {
+        const ExpressionName& name = expression->names.front();
+        return refuse({Code::params_unsupported, name.span, fmt::format("{} would be a param, and those are not supported yet", name.text), ""});
+    }
+    const auto measure = measure_of(*expression, {});
+    if (!measure) return refuse(measure.error());
+    if (const auto why = why_unfit(*expression, *measure, dimension_of(meta.unit))) return refuse(*why);
+    const auto value = evaluate(*expression, {});
+    if (!value) return refuse(value.error());
+    context.written.push_back({context.numbers_read, std::string(node.text)});
+    return *value;
+}
+
+/// "0 m (18mm - 18mm)": what an expression gives here, for a message.
+std::string value_text(double value, const FieldMeta& meta, const YamlNode& node) {
+    const std::string unit = symbol(dimension_of(meta.unit));
+    return fmt::format("{}{}{} ({})", to_text(value), unit.empty() ? "" : " ", unit, shortened(node.text));
+}
+
 std::optional<double> read_number(ReadContext& context, const FieldMeta& meta, const YamlNode& node) {
     if (node.kind != YamlKind::scalar) return report_shape(context, node, "a number"), std::nullopt;
     const QuantityResult read = read_quantity(node.text, meta.unit);
+    FieldType plain{"", FieldKind::number, meta, {}, {}, false};
+    if (!read && read.error().may_be_expression) {
+        if (report_comma_split(context, node)) return {};
+        const std::optional<double> value = read_expression(context, meta, node);
+        ++context.numbers_read;
+        const auto why = value ? why_invalid(plain, Value(*value)) : std::nullopt;
+        if (!why) return value;
+        context.report(Code::out_of_range, node.span, fmt::format("{} {}", value_text(*value, meta, node), *why));
+        return {};
+    }
+    ++context.numbers_read;
     if (!read) {
-        if (read.error().code == Code::expression_unsupported && report_comma_split(context, node)) return {};
         const bool wrong_type = read.error().code == Code::wrong_type;
         context.report(
             read.error().code, node.span,
@@ -44,7 +91,6 @@ std::optional<double> read_number(ReadContext& context, const FieldMeta& meta, c
             read.error().hint);
         return {};
     }
-    FieldType plain{"", FieldKind::number, meta, {}, {}, false};
     if (const auto why = why_invalid(plain, Value(read->value))) {
         context.report(Code::out_of_range, node.span, fmt::format("{} {}", shortened(node.text), *why));
         return {};
@@ -117,7 +163,7 @@ std::optional<Value> read_boolean(ReadContext& context, const FieldType& field, 
 
 bool report_dollar(ReadContext& context, const YamlNode& node) {
     if (!is_dollar_name(node.text)) return false;
-    context.report(Code::expression_unsupported, node.span,
+    context.report(Code::params_unsupported, node.span,
                    fmt::format("{} stands for a parameter, and those are not supported yet", node.text));
     return true;
 }

@@ -83,13 +83,28 @@ std::string write_scalar_like(const FieldType& field, const Value& value, const 
                : plain;
 }
 
-std::string write_value(const FieldType& field, const Value& value, std::string_view like) {
-    const auto number_text = [&](double number) { return write_quantity(number, field.meta.unit, like); };
+namespace {
+
+/// An expression as a text that stands in a list or a map: quoted where a comma would split it.
+std::string expression_text(const WrittenNumbers& written, int index) {
+    for (const WrittenNumber& number : written)
+        if (number.index == index) return write_text(number.text);
+    return {};
+}
+
+std::string write(const FieldType& field, const Value& value, std::string_view like, const WrittenNumbers& written) {
+    int numbers = 0;
+    const auto number_text = [&](double number) {
+        const std::string expression = expression_text(written, numbers++);
+        return expression.empty() ? write_quantity(number, field.meta.unit, like) : expression;
+    };
     const auto pair_text = [&](const Vec2& v) {
-        return fmt::format("[{}, {}]", number_text(v.x()), number_text(v.y()));
+        const std::string x = number_text(v.x()), y = number_text(v.y());
+        return fmt::format("[{}, {}]", x, y);
     };
     if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-    if (const auto* integer = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *integer);
+    if (const auto* integer = std::get_if<std::int64_t>(&value))
+        return written.empty() ? fmt::format("{}", *integer) : expression_text(written, 0);
     if (const double* number = std::get_if<double>(&value)) return number_text(*number);
     if (const Vec2* pair = std::get_if<Vec2>(&value)) return pair_text(*pair);
     if (const auto* points = std::get_if<std::vector<Vec2>>(&value)) return list_text(*points, pair_text);
@@ -97,6 +112,14 @@ std::string write_value(const FieldType& field, const Value& value, std::string_
     if (const auto* names = std::get_if<std::vector<std::string>>(&value))
         return names->size() == 1 ? word(names->front()) : list_text(*names, word);
     return write_text(std::get<std::string>(value));
+}
+
+}  // namespace
+
+std::string write_value(const FieldType& field, const Value& value, std::string_view like) { return write(field, value, like, {}); }
+
+std::string write_slot(const FieldType& field, const FieldSlot& slot, std::string_view like) {
+    return write(field, slot.value, like, slot.written ? *slot.written : WrittenNumbers{});
 }
 
 }  // namespace pinfield

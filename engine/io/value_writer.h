@@ -5,6 +5,7 @@
 
 #include "engine/io/yaml_tree.h"
 #include "engine/reflect/node_type.h"
+#include "engine/scene/scene.h"
 
 namespace pinfield {
 
@@ -15,6 +16,8 @@ std::string write_text(std::string_view text, YamlStyle style = YamlStyle::plain
 /// A value on one line in flow style: 0.03, [1, 2], [[0, 0], [1, 0]], crimson, "#7c5"; its numbers in the unit of
 /// `like`.
 std::string write_value(const FieldType& field, const Value& value, std::string_view like = {});
+/// Likewise, numbers that their author wrote as expressions as such.
+std::string write_slot(const FieldType& field, const FieldSlot& slot, std::string_view like = {});
 
 /// A single value (number, word, text, color, name ...) in the style of the scalar that it replaces: its unit,
 /// decimals and quotes.

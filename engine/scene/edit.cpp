@@ -45,6 +45,12 @@ Reason why_still_needed(const Scene& scene, const Subtree& nodes) {
     return {};
 }
 
+/// A number that is written as an expression is changed where the expression stands: an edit would flatten it.
+Reason why_fixed(const Scene& scene, const FieldType& field, const FieldSlot& slot) {
+    const std::string line = slot.where ? fmt::format(" in line {}", scene.sources.line_column(slot.where).line) : "";
+    return fmt::format("{} is written as `{}`{}: change it in the text", field.key, slot.written->front().text, line);
+}
+
 // What stands against each edit before its outcome is looked at.
 
 Reason why_impossible(const Scene& scene, const Insert& edit) {
@@ -305,6 +311,7 @@ Reason why_invalid(const Scene& scene, const SetField& edit) {
     if (!node) return gone();
     if (edit.field < 0 || edit.field >= static_cast<int>(node->fields.size())) return "the node has no such field";
     const FieldType& field = at(node->type->fields, edit.field);
+    if (const FieldSlot& slot = at(node->fields, edit.field); slot.written) return why_fixed(scene, field, slot);
     if (auto why = why_invalid(field, edit.value)) return fmt::format("{} {}", field.key, *why);
     if (is_id_field(field)) {
         const auto& id = std::get<std::string>(edit.value);

@@ -258,7 +258,9 @@ bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
         x.children.size() != y.children.size())
         return false;
     for (std::size_t i = 0; i < x.fields.size(); ++i)
-        if (x.fields[i].is_explicit != y.fields[i].is_explicit || !identical(x.fields[i].value, y.fields[i].value)) return false;
+        if (x.fields[i].is_explicit != y.fields[i].is_explicit || !identical(x.fields[i].value, y.fields[i].value) ||
+            !x.fields[i].is_written_as(y.fields[i]))
+            return false;
     for (std::size_t i = 0; i < x.children.size(); ++i)
         if (!same_node(a, *a.find(x.children[i]), b, *b.find(y.children[i]))) return false;
     return true;

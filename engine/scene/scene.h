@@ -14,11 +14,25 @@
 
 namespace pinfield {
 
+/// A number of a field that its author wrote as an expression: which of the value's numbers (a point has two), and how.
+struct WrittenNumber {
+    int index = 0;
+    std::string text;
+    bool operator==(const WrittenNumber&) const = default;
+};
+using WrittenNumbers = std::vector<WrittenNumber>;
+
 /// A field's value and, when the author wrote it, where that value stands.
 struct FieldSlot {
     Value value;
     bool is_explicit = false;
     Place where{};
+    std::shared_ptr<const WrittenNumbers> written{};  ///< null, as almost always: no number of it is an expression
+
+    /// Are the same numbers written as the same expressions?
+    bool is_written_as(const FieldSlot& other) const {
+        return written == other.written || (written && other.written && *written == *other.written);
+    }
 };
 
 /// One node of the scene, or one record (table, physics, a material): same shape, so that every tool handles both alike.
