@@ -23,7 +23,7 @@ Json kind_schema(const FieldType& field) {
             Json out{{"type", "integer"}};
             if (std::isfinite(field.meta.min.value)) out["minimum"] = std::ceil(field.meta.min.value);
             if (std::isfinite(field.meta.max.value)) out["maximum"] = std::floor(field.meta.max.value);
-            return out;
+            return {{"anyOf", {out, Json::parse(schema::expression())}}};
         }
         case FieldKind::number: return Json::parse(schema::number(field.meta));
         case FieldKind::vec2: return Json::parse(schema::pair(field.meta));

@@ -32,6 +32,8 @@ std::string quantity_pattern(Unit unit) {
 
 std::string reference(std::string_view definition) { return fmt::format(R"({{"$ref": "#/definitions/{}"}})", definition); }
 
+std::string expression() { return R"({"type": "string", "pattern": "^.+[-+*/%^(].*$"})"; }
+
 std::string number(const FieldMeta& meta) {
     Json bare{{"type", "number"}};
     if (meta.unit == Unit::metre) {
@@ -44,7 +46,7 @@ std::string number(const FieldMeta& meta) {
         bare[meta.min.open ? "exclusiveMinimum" : "minimum"] = meta.min.value;
     }
     if (std::isfinite(meta.max.value)) bare[meta.max.open ? "exclusiveMaximum" : "maximum"] = meta.max.value;
-    const Json schema{{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}}}};
+    const Json schema{{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}, Json::parse(expression())}}};
     return schema.dump();
 }
 

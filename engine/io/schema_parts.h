@@ -11,6 +11,8 @@ inline constexpr const char* name_pattern = "^[a-z_][a-z0-9_]*$";
 
 /// A definition of the schema by its name.
 std::string reference(std::string_view definition);
+/// Something that calculates: it has an operator or a bracket behind its first character. What it says only `check` can judge.
+std::string expression();
 /// A number, or a text of a number with one of the unit's suffixes, in the field's range.
 std::string number(const FieldMeta& meta);
 /// [x, y] of such numbers.

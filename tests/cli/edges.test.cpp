@@ -153,7 +153,7 @@ TEST_CASE("an output that is an input, by whatever name, is refused before anyth
         }
 }
 
-TEST_CASE("- is stdout for every output, and nothing else comes with it") {
+TEST_CASE("a dash is stdout for every output, and nothing else comes with it") {
     const Scratch scratch;
     const std::string points = scratch.write("p.csv", "x,y\n0.2,0.3\n");
     const Outcome picture = run_pinfield("render " + first_table + " --size 20x40 -o -");
@@ -204,7 +204,7 @@ TEST_CASE("./play names a table that is not there and is exit 3, before it build
     }
 }
 
-TEST_CASE("--demo plays any table: it presses what inputs there are, and drops a ball where there is no spawn") {
+TEST_CASE("a demo plays any table: it presses what inputs there are, and drops a ball where there is no spawn") {
     const Scratch scratch;
     const std::string bare = scratch.write("bare.yaml", "pinfield: 1\nscene:\n  - circle: {at: [0.2, 0.2]}\n");
     const json dropped = json::parse(run_pinfield("simulate --json --demo --seconds 2 " + bare).out);
