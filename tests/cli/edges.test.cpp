@@ -28,6 +28,13 @@ bool is_harmless(const std::string& text) {
     return true;
 }
 
+// A gigabyte; none under ASan, whose shadow alone reserves terabytes of addresses.
+#ifdef __SANITIZE_ADDRESS__
+const std::string memory_limit;
+#else
+const std::string memory_limit = "ulimit -v 1000000; ";
+#endif
+
 std::size_t files_in(const std::string& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
@@ -175,7 +182,7 @@ TEST_CASE("a dash is stdout for every output, and nothing else comes with it") {
 
 TEST_CASE("inputs without end, and lines without end, are refused at once") {
     const Scratch scratch;
-    const std::string limit = "ulimit -v 1000000; timeout 20 " + pinfield::test::bin_dir() + std::string("/pinfield ");
+    const std::string limit = memory_limit + "timeout 20 " + pinfield::test::bin_dir() + std::string("/pinfield ");
     const auto exit = [&](const std::string& arguments) {
         const std::string command = std::string("cd ") + pinfield::test::source_dir() + "; " + limit + arguments + " >/dev/null 2>/dev/null";
         return WEXITSTATUS(std::system(command.c_str()));
@@ -184,7 +191,7 @@ TEST_CASE("inputs without end, and lines without end, are refused at once") {
     CHECK(exit("simulate " + first_table + " --inputs /dev/zero") == 3);
     CHECK(exit("check /dev/zero") == 3);
     const std::string endless = "(echo tick,input,value; yes 1,plunge,1) | ";
-    const std::string command = std::string("cd ") + pinfield::test::source_dir() + "; ulimit -v 1000000; " + endless + "timeout 20 " +
+    const std::string command = std::string("cd ") + pinfield::test::source_dir() + "; " + memory_limit + endless + "timeout 20 " +
                                 pinfield::test::bin_dir() + "/pinfield simulate " + first_table + " --inputs /dev/stdin >/dev/null 2>/dev/null";
     CHECK(WEXITSTATUS(std::system(command.c_str())) == 3);
     const std::string longest = std::string(5000, '1');
