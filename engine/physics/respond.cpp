@@ -1,6 +1,6 @@
 // Impulses: what a ball and a surface, or two balls, do to each other's velocities when they meet.
-// Restitution and the Coulomb cone as in Mirtich, "Impulse-based dynamic simulation of rigid body systems" (1996), for a disc in
-// the plane; contacts at one instant are resolved one after the other in the order of their ids until none closes.
+// Restitution and the Coulomb cone as in Mirtich, "Impulse-based dynamic simulation of rigid body systems" (1996), for a disc or
+// a sphere in the plane; contacts at one instant are resolved one after the other in the order of their ids until none closes.
 #include <algorithm>
 
 #include "engine/core/at.h"

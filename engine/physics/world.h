@@ -115,7 +115,8 @@ public:
     /// What balls touch, in order of the balls; after a change of the program they begin anew.
     std::span<const BallTouch> touches() const;
     const WorldStats& stats() const;
-    /// Kinetic + spin + m g y of one ball, J.
+    /// Kinetic + spin + m g y of one ball, J. Of one that rolls on the playfield without that rolling, and with what it leaves of gravity: what
+    /// contact keeps or takes.
     double energy(const Ball& ball) const;
     double energy() const;
     /// Of everything that the future depends on, bit for bit, beside the program and the inputs to come: worlds on one program with

@@ -35,6 +35,7 @@ void collect_items(const Scene& scene, NodeId node, std::vector<Item>& out);
 /// The group or item that a node belongs to: itself, or the nearest ancestor that is a scene node.
 NodeId scene_node_of(const Scene& scene, NodeId node);
 
+/// The ground and the layers that items name, in their order, of which no more than `most` are looked for.
 std::vector<std::string> layer_names(const Scene& scene, const std::vector<Item>& items, std::size_t most);
 /// Own layers, else those of the nearest group that names some, else the ground.
 LayerMask layers_of(const CompileContext& context, NodeId node);
