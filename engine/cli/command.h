@@ -38,6 +38,7 @@ void add_eval(const Command& app, ExitCode& exit);
 void add_simulate(const Command& app, ExitCode& exit);
 void add_render(const Command& app, ExitCode& exit);
 void add_format(const Command& app, ExitCode& exit);
+void add_expand(const Command& app, ExitCode& exit);
 void add_test(const Command& app, ExitCode& exit);
 void add_bench(const Command& app, ExitCode& exit);
 

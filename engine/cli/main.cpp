@@ -23,6 +23,7 @@ void add_commands(const Command& app, ExitCode& exit) {
     add_simulate(app, exit);
     add_render(app, exit);
     add_format(app, exit);
+    add_expand(app, exit);
     add_test(app, exit);
     add_bench(app, exit);
 }

@@ -75,6 +75,11 @@ std::string format(const Diagnostic& diagnostic, const Sources& sources) {
         if (!excerpt.text.empty())
             out += fmt::format("  {}\n  {}^\n", excerpt.text, std::string(static_cast<std::size_t>(excerpt.caret), ' '));
     }
+    for (const Via& step : diagnostic.via) {
+        const LineColumn asked = sources.line_column(step.where);
+        const SourceText* in = sources.find(step.where);
+        out += fmt::format("  in {}, asked for at {}:{}:{}\n", shown(step.what), shown(in ? in->name() : ""), asked.line, asked.column);
+    }
     if (!diagnostic.hint.empty()) out += fmt::format("  hint: {}\n", shown(diagnostic.hint));
     return out;
 }

@@ -10,6 +10,12 @@ namespace pinfield {
 
 enum class Severity : unsigned char { warning, error };
 
+/// A step on the way to where a finding stands: a template that was used, a copy that was made.
+struct Via {
+    std::string what;  ///< "the template gear"
+    Place where;       ///< where it was asked for
+};
+
 /// One finding in an author's file. Findings are collected, never only the first.
 struct Diagnostic {
     std::string code;  ///< "E0203": see error_codes.h
@@ -17,6 +23,7 @@ struct Diagnostic {
     std::string message;  ///< what is wrong, one sentence without a full stop
     Place where;          ///< nowhere when the scene was not read from a text
     std::string hint;     ///< how to mend it; may be empty
+    std::vector<Via> via{};  ///< from the innermost outwards; almost always empty
 };
 
 using Diagnostics = std::vector<Diagnostic>;

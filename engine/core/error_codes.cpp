@@ -33,6 +33,7 @@ constexpr std::array codes{
     ErrorCode{"E0122", "too_many_errors", "there are more errors than anybody would read"},
     ErrorCode{"E0123", "expression_too_deep", "an expression has too many brackets within each other"},
     ErrorCode{"E0124", "expression_too_long", "an expression has too many parts"},
+    ErrorCode{"E0125", "too_many_params", "the table has more params, or a template more arguments, than the limit"},
 
     ErrorCode{"E0201", "wrong_shape", "a map, a list or a single value stands where another of them is due"},
     ErrorCode{"E0202", "unknown_key", "no such key here"},
@@ -61,17 +62,18 @@ constexpr std::array codes{
     ErrorCode{"E0224", "bad_expectation", "not of the form: quantity comparison number"},
     ErrorCode{"E0225", "bad_expression", "an expression that cannot be understood"},
     ErrorCode{"E0226", "no_value", "an expression that has no value here, such as a division by zero"},
+    ErrorCode{"E0227", "cyclic_param", "params need each other in a circle"},
+    ErrorCode{"E0228", "cyclic_template", "a template uses itself"},
+    ErrorCode{"E0229", "misplaced_copies", "use, copies or pair stands inside a shape"},
 
     ErrorCode{"E0301", "unknown_material", "no material of this name"},
     ErrorCode{"E0302", "unknown_input", "no input of this name"},
     ErrorCode{"E0303", "duplicate_id", "two things have the same id"},
     ErrorCode{"E0304", "unknown_quantity", "nothing by this name is measured"},
+    ErrorCode{"E0305", "unknown_name", "no param, argument or other number of this name"},
+    ErrorCode{"E0306", "unknown_template", "no template of this name"},
+    ErrorCode{"E0307", "unknown_argument", "the template takes no argument of this name"},
 
-    ErrorCode{"E0401", "params_unsupported", "params are not supported yet"},
-    ErrorCode{"E0403", "templates_unsupported", "templates are not supported yet"},
-    ErrorCode{"E0404", "use_unsupported", "use is not supported yet"},
-    ErrorCode{"E0405", "copies_unsupported", "copies are not supported yet"},
-    ErrorCode{"E0406", "pair_unsupported", "pair is not supported yet"},
     ErrorCode{"E0407", "motion_unsupported", "motions are not supported yet"},
     ErrorCode{"E0408", "include_unsupported", "include is not supported yet"},
     ErrorCode{"E0409", "game_unsupported", "game rules are not supported yet"},
@@ -88,6 +90,8 @@ constexpr std::array codes{
     ErrorCode{"W0510", "pocket", "a place where slow balls come to rest and nothing plays them"},
     ErrorCode{"W0511", "empty_solid", "a solid of which nothing is left"},
     ErrorCode{"W0512", "no_boundary", "a solid whose boundary could not be found, so that its formula must do"},
+    ErrorCode{"W0513", "unused_param", "a param that nothing depends on"},
+    ErrorCode{"W0514", "unused_template", "a template that nothing uses"},
 
     ErrorCode{"E0601", "unknown_step", "no such step in an editor script"},
 };

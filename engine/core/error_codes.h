@@ -36,6 +36,7 @@ enum class Code : unsigned char {
     too_many_errors,
     expression_too_deep,
     expression_too_long,
+    too_many_params,
 
     wrong_shape,
     unknown_key,
@@ -63,17 +64,18 @@ enum class Code : unsigned char {
     bad_expectation,
     bad_expression,
     no_value,
+    cyclic_param,
+    cyclic_template,
+    misplaced_copies,
 
     unknown_material,
     unknown_input,
     duplicate_id,
     unknown_quantity,
+    unknown_name,
+    unknown_template,
+    unknown_argument,
 
-    params_unsupported,
-    templates_unsupported,
-    use_unsupported,
-    copies_unsupported,
-    pair_unsupported,
     motion_unsupported,
     include_unsupported,
     game_unsupported,
@@ -90,6 +92,8 @@ enum class Code : unsigned char {
     pocket,
     empty_solid,
     no_boundary,
+    unused_param,
+    unused_template,
 
     unknown_step,
 };

@@ -16,6 +16,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A text that a template's argument stands for.
+const Json dollar{{"type", "string"}, {"pattern", R"(^\$[a-z_][a-z0-9_]*$)"}};
+
 Json kind_schema(const FieldType& field) {
     switch (field.kind) {
         case FieldKind::boolean: return {{"type", "boolean"}};
@@ -29,15 +32,15 @@ Json kind_schema(const FieldType& field) {
         case FieldKind::vec2: return Json::parse(schema::pair(field.meta));
         case FieldKind::points:
             return {{"type", "array"}, {"items", Json::parse(schema::pair(field.meta))}, {"maxItems", Limits{}.points}};
-        case FieldKind::choice: return {{"enum", field.choices}};
+        case FieldKind::choice: return {{"anyOf", {Json{{"enum", field.choices}}, dollar}}};
         case FieldKind::choices: {
-            const Json word{{"enum", field.choices}};
+            const Json word{{"anyOf", {Json{{"enum", field.choices}}, dollar}}};
             return {{"anyOf", {word, {{"type", "array"}, {"items", word}, {"maxItems", Limits{}.points}}}}};
         }
         case FieldKind::text: return {{"type", {"string", "number", "boolean"}}};
         case FieldKind::color:
-            return {{"type", "string"}, {"pattern", "^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+)$"}};
-        case FieldKind::id: return {{"type", "string"}, {"pattern", schema::name_pattern}};
+            return {{"type", "string"}, {"pattern", R"(^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+|\$[a-z_][a-z0-9_]*)$)"}};
+        case FieldKind::id: return {{"type", "string"}, {"pattern", R"(^\$?[a-z_][a-z0-9_]*$)"}};
         case FieldKind::names: return Json::parse(schema::reference("names"));
     }
     return Json::object();
@@ -56,6 +59,46 @@ std::string child_definition(const NodeType& type) {
     return type.part && type.part->role == Role::group ? "scene_node" : "shape_node";
 }
 
+Json with_description(Json schema, std::string_view text) {
+    schema["description"] = text;
+    return schema;
+}
+
+Json type_schema(const NodeType& type);
+
+/// What makes several nodes of one item, directly in the scene or a group.
+void add_repetition(Json& properties) {
+    FieldMeta length, angle;
+    length.unit = Unit::metre;
+    angle.unit = Unit::degree;
+    const Json pair = Json::parse(schema::pair(length));
+    properties["copies"] = {
+        {"description", "Makes so many of the node, named .1 .2 ...; i is the number in its expressions."},
+        {"type", "object"},
+        {"required", {"count"}},
+        {"additionalProperties", false},
+        {"properties",
+         {{"count", with_description(Json::parse(schema::any_number()), "How many.")},
+          {"step", with_description(pair, "From each to the next.")},
+          {"around", with_description(pair, "The point that they stand round.")},
+          {"angle", with_description(Json::parse(schema::number(angle)), "From each to the next about that point; a full turn is shared else.")}}}};
+    properties["pair"] = with_description(Json::parse(schema::number(length)),
+                                          "Makes a second one, reflected in the line at this x; they are named .left and .right.");
+}
+
+/// A use of a template: a group's fields, and what the template is given.
+Json use_schema(const Catalog& catalog) {
+    Json out = type_schema(*catalog.find("group"));
+    out["description"] = "Puts a template's nodes here.";
+    Json& properties = out["properties"];
+    properties.erase("children");
+    properties["template"] = {{"description", "Its name."}, {"type", "string"}, {"pattern", schema::name_pattern}};
+    properties["with"] = with_description(Json::parse(schema::named_map(R"({"type": ["number", "string"]})")), "Its arguments.");
+    out["type"] = "object";
+    out["required"] = {"template"};
+    return out;
+}
+
 Json type_schema(const NodeType& type) {
     Json properties = Json::object(), required = Json::array();
     for (const FieldType& field : type.fields) {
@@ -69,6 +112,7 @@ Json type_schema(const NodeType& type) {
         properties["children"] = list;
         if (children.min > 0) required.push_back("children");
     }
+    if (type.meta.kind != NodeKind::record) add_repetition(properties);
     Json out{{"description", type.meta.doc},
              {"type", required.empty() ? Json::array({"object", "null"}) : Json("object")},
              {"additionalProperties", false},
@@ -96,10 +140,12 @@ Json one_key_node(const Catalog& catalog, bool with_parts) {
 
 std::string json_schema(const Catalog& catalog) {
     Json definitions = Json::object();
-    definitions["names"] = Json::parse(schema::one_or_list(fmt::format(R"({{"type": "string", "pattern": "{}"}})", schema::name_pattern)));
+    definitions["names"] = Json::parse(schema::one_or_list(fmt::format(R"({{"type": "string", "pattern": "{}"}})", R"(^\\$?[a-z_][a-z0-9_]*$)")));
     definitions["scene_node"] = one_key_node(catalog, true);
+    definitions["scene_node"]["properties"]["use"] = Json::parse(schema::reference("use"));
     definitions["shape_node"] = one_key_node(catalog, false);
     for (const NodeType& type : catalog.types()) definitions[std::string(type.key())] = type_schema(type);
+    definitions["use"] = use_schema(catalog);
     Json properties = Json::object();
     for (const Section* section : all_sections())
         if (section->schema) properties[std::string(section->key)] = Json::parse(section->schema());

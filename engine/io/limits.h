@@ -12,6 +12,7 @@ struct Limits {
     std::size_t nodes = 30'000;    ///< scene nodes, aliases expanded: one with a single field is five events
     std::size_t points = 4096;     ///< of one polygon
     std::size_t repeats = 10'000;  ///< copies that one operation makes
+    std::size_t params = 1000;     ///< of a table; arguments of a template
     std::size_t errors = 100;      ///< after which reading stops
 };
 

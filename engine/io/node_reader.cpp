@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "engine/core/at.h"
+#include "engine/io/generators.h"
 #include "engine/io/other_words.h"
 #include "engine/io/quantity.h"
 #include "engine/io/value_reader.h"
+#include "engine/scene/part_traits.h"
 #include "engine/scene/validate.h"
 
 namespace pinfield {
@@ -40,15 +42,6 @@ bool takes(const NodeType& type, std::string_view key) {
     return type.find_field(key) || (type.meta.children.max > 0 && key == children_key);
 }
 
-/// Keys of scene nodes that the format has and the reader has not yet.
-bool report_unsupported(ReadContext& context, const NodeType& type, const YamlNode& key) {
-    if (type.meta.kind == NodeKind::record) return false;
-    if (key.text == "copies")
-        return context.report(Code::copies_unsupported, key.span, "copies are not supported yet"), true;
-    if (key.text == "pair") return context.report(Code::pair_unsupported, key.span, "pair is not supported yet"), true;
-    return false;
-}
-
 bool repeats_too_often(const ReadContext& context, const FieldType& field, const YamlNode& value) {
     if (field.meta.meaning != Meaning::count || value.kind != YamlKind::scalar) return false;
     const auto count = read_quantity(value.text, Unit::none);
@@ -62,7 +55,7 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
         return context.report(Code::too_many_repeats, value.span,
                               fmt::format("more than {} copies", context.limits.repeats));
     context.written.clear();
-    context.numbers_read = 0;
+    context.parts_read = 0;
     auto read = read_value(context, field, value);
     if (!read) return;
     // An expression's outcome is known only now.
@@ -71,7 +64,7 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
         return context.report(Code::too_many_repeats, value.span, fmt::format("more than {} copies", context.limits.repeats));
     FieldSlot& slot = at(node.fields, index);
     slot = {std::move(*read), true, context.source.place(value.span)};
-    if (!context.written.empty()) slot.written = std::make_shared<const WrittenNumbers>(std::exchange(context.written, {}));
+    if (!context.written.empty()) slot.written = std::make_shared<const WrittenParts>(std::exchange(context.written, {}));
 }
 
 void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNode& key, const YamlNode* list) {
@@ -147,6 +140,24 @@ bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
     return true;
 }
 
+/// Is a generator where only shapes and operations may stand?
+bool report_misplaced_copies(ReadContext& context, const NodeType* parent, const NodeItem& item) {
+    if (!parent || (parent->part && parent->part->role == Role::group) || !(item.is_use() || is_repeated(item))) return false;
+    context.report(Code::misplaced_copies, item.key.span,
+                   fmt::format("{} cannot stand inside {}", item.is_use() ? "use" : "what has copies or a pair", parent->key()),
+                   item.is_use() ? "put it directly into the scene or a group" : "repeat, repeat_polar and mirror are for shapes");
+    return true;
+}
+
+/// The id with what is around it where the node is made.
+void take_id(const ReadContext& context, Node& node) {
+    const auto field = node.type->find_field("id");
+    if (!field) return;
+    auto& id = std::get<std::string>(at(node.fields, *field).value);
+    if (!id.empty()) id = context.id_prefix + id + context.id_suffix;
+    node.name = id;
+}
+
 void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode& written) {
     if (report_alias_of_key(context, written)) return;
     const YamlNode& item = written.resolved();
@@ -154,23 +165,21 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     const YamlNode& key = item.key(0);
     const YamlNode& body = item.value(0).resolved();
     if (!is_plain_key(key)) return;
-    if (key.text == "use") return context.report(Code::use_unsupported, key.span, "use is not supported yet");
-    const NodeType* type = find_node_type(context.catalog, key.text);
+    const bool is_use = key.text == "use";
+    const NodeType* type = is_use ? context.catalog.find("group") : find_node_type(context.catalog, key.text);
     if (!type) {
         const std::string_view other = other_word_for_node(key.text);
+        std::vector<std::string_view> words = node_words(context.catalog);
+        words.push_back("use");
         return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text),
-                              other.empty() ? suggestion(key.text, node_words(context.catalog)) : std::string(other));
+                              other.empty() ? suggestion(key.text, words) : std::string(other));
     }
     const NodeType* parent_type = parent ? scene.find(parent)->type : nullptr;
+    const NodeItem it{key, body, *type};
+    if (report_misplaced_copies(context, parent_type, it)) return;
     if (auto misplaced = misplaced_part(*type, parent_type, context.source.place(key.span))) return context.report(std::move(*misplaced));
-    Node& node = scene.add(*type, parent);
-    node.key = context.source.place(key.span);
-    node.where = context.source.place({key.span.begin, std::max(key.span.end, body.span.end)});
-    read_fields(context, node, key, body, {children_key});
-    if (const auto id = type->find_field("id"))
-        node.name = std::get<std::string>(at(node.fields, *id).value);
-    if (body.kind != YamlKind::map && !body.is_empty()) return;
-    read_children(context, scene, node, key, body.find(children_key));
+    if (is_repeated(it)) read_repeated(context, scene, parent, it);
+    else read_single(context, scene, parent, it);
 }
 
 void report_unknown_key(ReadContext& context, const Node& node, const YamlNode& key, const YamlNode& field_key) {
@@ -198,8 +207,7 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
         if (i > 0 && value.kind == YamlKind::null && report_comma_split(context, body.value(i - 1))) continue;
         if (const auto index = node.type->find_field(field_key.text))
             read_field(context, node, *index, field_key, value);
-        else if (std::find(skipped.begin(), skipped.end(), field_key.text) == skipped.end() &&
-                 !report_unsupported(context, *node.type, field_key))
+        else if (std::find(skipped.begin(), skipped.end(), field_key.text) == skipped.end())
             report_unknown_key(context, node, key, field_key);
     }
     for (const FieldType& field : node.type->fields)
@@ -207,6 +215,39 @@ void read_fields(ReadContext& context, Node& node, const YamlNode& key, const Ya
             context.report(Code::missing_field, key.span, fmt::format("{} needs {}", key.text, field.key));
     if (context.errors_so_far() != errors_before) return;
     if (auto broken = broken_contract(node)) context.report(std::move(*broken));
+}
+
+Node* add_node(ReadContext& context, Scene& scene, NodeId parent, const NodeItem& item, const NodeType& type) {
+    if (context.is_exhausted) return nullptr;
+    if (context.nodes_made++ == context.limits.nodes) {
+        context.report(Code::too_many_nodes, item.key.span, fmt::format("more than {} nodes", context.limits.nodes));
+        context.is_exhausted = true;
+        return nullptr;
+    }
+    Node& node = scene.add(type, parent);
+    node.key = context.source.place(item.key.span);
+    node.where = context.source.place({item.key.span.begin, std::max(item.key.span.end, item.body.span.end)});
+    node.origin = context.origin;
+    return &node;
+}
+
+Node* read_single(ReadContext& context, Scene& scene, NodeId parent, const NodeItem& item) {
+    Node* const node = add_node(context, scene, parent, item, item.type);
+    if (!node) return nullptr;
+    static const std::vector<std::string_view> of_node{children_key, "copies", "pair"}, of_use{"template", "with", "copies", "pair"};
+    read_fields(context, *node, item.key, item.body, item.is_use() ? of_use : of_node);
+    take_id(context, *node);
+    if (item.is_use()) {
+        read_template(context, scene, *node, item);
+    } else if (item.body.kind == YamlKind::map || item.body.is_empty()) {
+        // Ids in a copy are told apart by its own.
+        const std::string prefix = context.id_prefix, suffix = std::exchange(context.id_suffix, "");
+        if (!suffix.empty() && !node->name.empty()) context.id_prefix = node->name + ".";
+        read_children(context, scene, *node, item.key, item.body.find(children_key));
+        context.id_prefix = prefix;
+        context.id_suffix = suffix;
+    }
+    return node;
 }
 
 void read_record(ReadContext& context, Node& record, const YamlNode& key, const YamlNode& body) {
@@ -227,10 +268,14 @@ void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNod
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
         return context.report(Code::too_many_nodes, beyond->span,
                               fmt::format("more than {} nodes", context.limits.nodes));
+    if (context.depth == context.limits.depth)
+        return context.report(Code::too_deep, list.span, fmt::format("more than {} lists of nodes within each other", context.limits.depth));
+    ++context.depth;
     for (const YamlNode* item : list.items) {
-        if (context.full()) return;
+        if (context.full()) break;
         read_node(context, scene, parent, *item);
     }
+    --context.depth;
 }
 
 }  // namespace pinfield

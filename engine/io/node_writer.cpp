@@ -2,13 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "engine/io/value_writer.h"
 
 namespace pinfield {
 namespace {
 
+/// Does what a template or a copy made begin with this node?
+bool is_first_made(const Scene& scene, const Node& node) {
+    if (!node.origin) return false;
+    const Node* parent = scene.find(node.parent);
+    if (parent && parent->origin == node.origin) return false;
+    const std::vector<NodeId>& siblings = scene.siblings(node.id);
+    const auto self = std::find(siblings.begin(), siblings.end(), node.id);
+    return self == siblings.begin() || scene.find(*(self - 1))->origin != node.origin;
+}
+
 void write_node(const Scene& scene, const Node& node, std::size_t indent, std::string& out) {
     const std::string margin(indent, ' ');
+    if (node.generator) {
+        out += fmt::format("{}{}\n", margin, node.generator->item);
+        return;
+    }
+    if (is_first_made(scene, node)) out += fmt::format("{}# {}\n", margin, node.origin->what);
     const std::vector<std::string> entries = entries_of(node);
     if (node.children.empty()) {
         out += fmt::format("{}- {}: {}\n", margin, node.type->key(), flow_map(entries));
@@ -37,6 +54,7 @@ std::string write_item_of(const Subtree& nodes, std::size_t& next, const NodeSty
     const Node& node = nodes[next++];
     std::vector<std::string> items;
     for (std::size_t i = 0; i < node.children.size(); ++i) items.push_back(write_item_of(nodes, next, style));
+    if (node.generator) return node.generator->item;
     if (!items.empty()) return write_item_around(node, items, style);
     return fmt::format("- {}: {}", node.type->key(), flow_map(explicit_entries(node, style)));
 }

@@ -88,6 +88,13 @@ Dimension dimension_of(Unit unit) {
     return {};
 }
 
+Unit unit_of(const Dimension& dimension) {
+    constexpr std::array units{Unit::metre,  Unit::degree, Unit::second, Unit::kilogram, Unit::metre_per_second, Unit::metre_per_second2,
+                               Unit::degree_per_second, Unit::degree_per_second2, Unit::seconds_per_metre};
+    const auto found = std::find_if(units.begin(), units.end(), [&](Unit unit) { return dimension_of(unit) == dimension; });
+    return found == units.end() ? Unit::none : *found;
+}
+
 QuantityResult read_quantity(std::string_view written, Unit unit) {
     const std::string_view text =
         written.size() > 60 ? written.substr(0, 60) : written;  // longer ones are wrong, and messages are for people

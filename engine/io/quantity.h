@@ -11,6 +11,8 @@ namespace pinfield {
 
 /// What a field of this unit measures.
 Dimension dimension_of(Unit unit);
+/// The unit of fields that measure this; none where no field does.
+Unit unit_of(const Dimension& dimension);
 /// "um, mm, cm, m, in, ft"; empty for a plain number.
 inline std::string suffixes_of(Unit unit) { return suffixes_of(dimension_of(unit)); }
 

@@ -1,5 +1,8 @@
 // What every part of the reader is handed: the text, the catalog, the limits, and the list that findings go to.
 #pragma once
+#include <algorithm>
+#include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,21 +10,42 @@
 #include "engine/core/closest.h"
 #include "engine/core/error_codes.h"
 #include "engine/io/limits.h"
+#include "engine/io/names.h"
 #include "engine/io/yaml_tree.h"
 #include "engine/reflect/catalog.h"
 #include "engine/scene/scene.h"
 
 namespace pinfield {
 
+/// A template as the text has it, read anew wherever it is used.
+struct TemplateText {
+    const YamlNode* key = nullptr;
+    const YamlNode* args = nullptr;   ///< a map; null: it takes none
+    const YamlNode* nodes = nullptr;  ///< a list; null: what is there has been found wrong
+    bool is_used = false;
+};
+
 struct ReadContext {
     const SourceText& source;
     const Catalog& catalog;
     const Limits& limits;
     Diagnostics& diagnostics;
-    WrittenNumbers written{};  ///< numbers of the value that is being read which are expressions
-    int numbers_read = 0;      ///< of that value, so far
+    const std::map<std::string, double>* set_params = nullptr;  ///< values of params in place of what the text says
+    WrittenParts written{};  ///< parts of the value that is being read which are expressions or $names
+    int parts_read = 0;      ///< numbers and words of that value, so far
+    Names table_names{};           ///< the params
+    const Names* names = nullptr;  ///< what names mean where the value stands; null: there are none
+    std::map<std::string_view, TemplateText> templates{};
+    std::shared_ptr<const Origin> origin{};  ///< of the nodes that are being read
+    std::string id_prefix{}, id_suffix{};    ///< around the ids that they have in the text
+    std::vector<std::string_view> open_templates{};  ///< whose nodes are being read, the outermost first
+    std::size_t nodes_made = 0, depth = 0;           ///< so far; of the list of nodes that is being read
+    bool is_exhausted = false;                       ///< a limit of the whole is reached
+    std::size_t failures = 0;  ///< of which nothing is said that was not said before
 
     void report(Diagnostic found) {
+        for (auto step = origin; step; step = step->outer) found.via.push_back({step->what, step->where});
+        if (origin && is_said(found)) return fail_silently();
         if (diagnostics.size() < limits.errors)
             diagnostics.push_back(std::move(found));
         else if (diagnostics.size() == limits.errors)
@@ -30,10 +54,19 @@ struct ReadContext {
     void report(Code code, Span where, std::string message, std::string hint = {}) {
         report(diagnose(code, source.place(where), std::move(message), std::move(hint)));
     }
+    void fail_silently() { ++failures; }
     /// So much is wrong that the rest is not worth reading: whoever goes through a list asks before each item, so that
     /// neither nodes nor suggestions are made that nobody will see.
-    bool full() const { return diagnostics.size() > limits.errors; }
-    std::size_t errors_so_far() const { return diagnostics.size(); }
+    bool full() const { return is_exhausted || diagnostics.size() > limits.errors; }
+    std::size_t errors_so_far() const { return diagnostics.size() + failures; }
+
+private:
+    /// Of a template, the first use tells what is wrong in it.
+    bool is_said(const Diagnostic& found) const {
+        return std::any_of(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& said) {
+            return said.code == found.code && said.where == found.where && said.message == found.message;
+        });
+    }
 };
 
 /// False for the keys that read_yaml() has reported already: lists, maps, null and <<.

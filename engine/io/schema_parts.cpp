@@ -32,7 +32,7 @@ std::string quantity_pattern(Unit unit) {
 
 std::string reference(std::string_view definition) { return fmt::format(R"({{"$ref": "#/definitions/{}"}})", definition); }
 
-std::string expression() { return R"({"type": "string", "pattern": "^.+[-+*/%^(].*$"})"; }
+std::string expression() { return R"({"type": "string", "pattern": "^.+[-+*/%^(].*$|^[a-z_][a-z0-9_]*$"})"; }
 
 std::string number(const FieldMeta& meta) {
     Json bare{{"type", "number"}};
@@ -49,6 +49,8 @@ std::string number(const FieldMeta& meta) {
     const Json schema{{"anyOf", {bare, {{"type", "string"}, {"pattern", quantity_pattern(meta.unit)}}, Json::parse(expression())}}};
     return schema.dump();
 }
+
+std::string any_number() { return R"({"type": ["number", "string"]})"; }
 
 std::string pair(const FieldMeta& meta) {
     return fmt::format(R"({{"type": "array", "items": {}, "minItems": 2, "maxItems": 2}})", number(meta));

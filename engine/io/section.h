@@ -20,7 +20,9 @@ struct Section {
     /// Do both scenes say the same in this section, values bit for bit? Places in the text and ids do not count.
     bool (*same)(const Scene& a, const Scene& b) = nullptr;
     Code unsupported{};
-    bool names_nodes = false;  ///< it is read after all nodes, which it refers to by name
+    /// When it is read, wherever it stands: what gives names comes before what uses them.
+    enum class Phase : unsigned char { params, templates, as_it_stands, after_nodes };
+    Phase phase = Phase::as_it_stands;
 };
 
 /// In the order in which a table is written.

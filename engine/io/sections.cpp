@@ -8,10 +8,8 @@ namespace pinfield {
 namespace sections {
 
 // One file each in sections/.
-extern const Section version, table, physics, materials, scene, inputs, tests;
+extern const Section version, table, physics, params, materials, templates, scene, inputs, tests;
 
-constexpr Section params{.key = "params", .unsupported = Code::params_unsupported};
-constexpr Section templates{.key = "templates", .unsupported = Code::templates_unsupported};
 constexpr Section include{.key = "include", .unsupported = Code::include_unsupported};
 constexpr Section game{.key = "game", .unsupported = Code::game_unsupported};
 

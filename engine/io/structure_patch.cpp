@@ -190,7 +190,7 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Rename& edit) {
         names.add(std::move(*own));
         for (const TableTest& test : scene.tests)
             for (const TableTest::Expectation& expectation : test.expectations)
-                if (!edit.from.empty() && expectation.quantity == edit.from + ".hits") names.within(expectation.where);
+                if (!edit.from.empty() && expectation.quantity.starts_with(edit.from + ".")) names.within(expectation.where);
         return text.write(std::move(names).in_order());
     }
     if (node) names.key(node->key);

@@ -1,6 +1,8 @@
 // A table's text -> a Scene, with everything that is wrong with it said at once.
 #pragma once
+#include <map>
 #include <memory>
+#include <string>
 
 #include "engine/core/diagnostic.h"
 #include "engine/io/limits.h"
@@ -21,5 +23,8 @@ struct Reading {
 
 /// Reads a table whose nodes are those of the catalog. Never throws.
 Reading read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalog> catalog, const Limits& limits = {});
+
+/// The same text once more as though these params were written with these values: what moving a slider makes of the table.
+Reading read_with_params(const Reading& now, const std::map<std::string, double>& values, const Limits& limits = {});
 
 }  // namespace pinfield

@@ -9,18 +9,13 @@
 #include "engine/core/closest.h"
 #include "engine/core/color.h"
 #include "engine/core/numbers.h"
-#include "engine/expression/expression.h"
+#include "engine/io/calculate.h"
 #include "engine/io/quantity.h"
 #include "engine/scene/validate.h"
 #include "engine/io/yaml_text.h"
 
 namespace pinfield {
 namespace {
-
-/// Text up to a length that a message can bear.
-std::string shortened(std::string_view text) {
-    return text.size() <= 40 ? std::string(text) : std::string(text.substr(0, 37)) + "...";
-}
 
 void report_shape(ReadContext& context, const YamlNode& node, std::string_view wanted) {
     if (node.kind == YamlKind::map && (node.find("spin") || node.find("wave") || node.find("keys")))
@@ -29,38 +24,6 @@ void report_shape(ReadContext& context, const YamlNode& node, std::string_view w
                         : node.kind == YamlKind::sequence ? "a list"
                                                           : "a single value";
     context.report(Code::wrong_shape, node.span, fmt::format("{} is due here, not {}", wanted, found));
-}
-
-/// A word that stands for a parameter where a text is due.
-bool is_dollar_name(std::string_view text) { return text.size() > 1 && text[0] == '$' && is_name(text.substr(1)); }
-
-/// Bytes of a scalar's text as bytes of the file; the whole scalar where the file does not hold its text letter by letter.
-Span span_within(const ReadContext& context, const YamlNode& node, Span span) {
-    const std::string_view held = context.source.slice(node.span);
-    const std::size_t begin = held.find(node.text);
-    if (begin == std::string_view::npos) return node.span;
-    return {node.span.begin + begin + span.begin, node.span.begin + begin + span.end};
-}
-
-/// What stands where a number is due and is more than one.
-std::optional<double> read_expression(ReadContext& context, const FieldMeta& meta, const YamlNode& node) {
-    const auto refuse = [&](const ExpressionError& e) {
-        context.report(e.code, span_within(context, node, e.span), e.message, e.hint);
-        return std::nullopt;
-    };
-    const auto expression = parse_expression(node.text);
-    if (!expression) return refuse(expression.error());
-    if (!expression->names.empty()) {
-        const ExpressionName& name = expression->names.front();
-        return refuse({Code::params_unsupported, name.span, fmt::format("{} would be a param, and those are not supported yet", name.text), ""});
-    }
-    const auto measure = measure_of(*expression, {});
-    if (!measure) return refuse(measure.error());
-    if (const auto why = why_unfit(*expression, *measure, dimension_of(meta.unit))) return refuse(*why);
-    const auto value = evaluate(*expression, {});
-    if (!value) return refuse(value.error());
-    context.written.push_back({context.numbers_read, std::string(node.text)});
-    return *value;
 }
 
 /// "0 m (18mm - 18mm)": what an expression gives here, for a message.
@@ -75,14 +38,15 @@ std::optional<double> read_number(ReadContext& context, const FieldMeta& meta, c
     FieldType plain{"", FieldKind::number, meta, {}, {}, false};
     if (!read && read.error().may_be_expression) {
         if (report_comma_split(context, node)) return {};
-        const std::optional<double> value = read_expression(context, meta, node);
-        ++context.numbers_read;
+        const std::optional<double> value = calculate(context, node, dimension_of(meta.unit));
+        if (value) context.written.push_back({context.parts_read, std::string(node.text)});
+        ++context.parts_read;
         const auto why = value ? why_invalid(plain, Value(*value)) : std::nullopt;
         if (!why) return value;
         context.report(Code::out_of_range, node.span, fmt::format("{} {}", value_text(*value, meta, node), *why));
         return {};
     }
-    ++context.numbers_read;
+    ++context.parts_read;
     if (!read) {
         const bool wrong_type = read.error().code == Code::wrong_type;
         context.report(
@@ -161,33 +125,34 @@ std::optional<Value> read_boolean(ReadContext& context, const FieldType& field, 
     return {};
 }
 
-bool report_dollar(ReadContext& context, const YamlNode& node) {
-    if (!is_dollar_name(node.text)) return false;
-    context.report(Code::params_unsupported, node.span,
-                   fmt::format("{} stands for a parameter, and those are not supported yet", node.text));
-    return true;
+/// The text of a part of the value: as it stands, or what a $name stands for.
+std::optional<std::string> read_text(ReadContext& context, const YamlNode& node) {
+    std::optional<std::string> text = resolve_text(context, node);
+    ++context.parts_read;
+    return text;
 }
 
 std::optional<std::string> read_name(ReadContext& context, const FieldType& field, const YamlNode& node) {
     if (node.kind != YamlKind::scalar) return report_shape(context, node, "a name"), std::nullopt;
-    if (report_dollar(context, node)) return {};
-    if (!is_name(node.text)) {
+    std::optional<std::string> text = read_text(context, node);
+    if (!text) return {};
+    if (!is_name(*text)) {
         context.report(
             Code::bad_name, node.span,
-            fmt::format("{} is not a valid {}", node.text.empty() ? "an empty text" : shortened(node.text), field.key),
+            fmt::format("{} is not a valid {}", text->empty() ? "an empty text" : shortened(*text), field.key),
             "small letters, digits and _, not beginning with a digit");
         return {};
     }
-    return std::string(node.text);
+    return text;
 }
 
-/// A list of what `read_text` reads of each item, at most `most` of them, or one alone without the brackets.
-template <class ReadText>
-std::optional<Value> read_texts(ReadContext& context, const YamlNode& node, std::size_t most, const ReadText& read_text) {
+/// A list of what `read_item` reads of each item, at most `most` of them, or one alone without the brackets.
+template <class ReadItem>
+std::optional<Value> read_texts(ReadContext& context, const YamlNode& node, std::size_t most, const ReadItem& read_item) {
     std::vector<std::string> texts;
     bool good = true;
     const auto take = [&](const YamlNode& item) {
-        std::optional<std::string> text = read_text(item);
+        std::optional<std::string> text = read_item(item);
         if (text) texts.push_back(std::move(*text));
         else good = false;
     };
@@ -204,18 +169,17 @@ std::optional<Value> read_texts(ReadContext& context, const YamlNode& node, std:
     return texts;
 }
 
-std::optional<Value> read_color(ReadContext& context, const FieldType& field, const YamlNode& node) {
+std::optional<std::string> read_color(ReadContext& context, const FieldType& field, const YamlNode& node) {
     if (node.kind != YamlKind::scalar) return report_shape(context, node, fmt::format("a {}", name(field.kind))), std::nullopt;
-    if (report_dollar(context, node)) return {};
-    if (parse_color(node.text)) return std::string(node.text);
-    const bool hex = (node.text.size() == 3 || node.text.size() == 6) &&
-                     node.text.find_first_not_of("0123456789abcdefABCDEF") == std::string_view::npos;
+    const std::optional<std::string> text = read_text(context, node);
+    if (!text || parse_color(*text)) return text;
+    const bool hex = (text->size() == 3 || text->size() == 6) && text->find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
     std::string hint = "a CSS name, or a quoted \"#rgb\" or \"#rrggbb\"";
     if (hex)
-        hint = fmt::format("write \"#{}\", with the quotes", node.text);
-    else if (const auto close = closest_match(node.text, color_names()))
+        hint = fmt::format("write \"#{}\", with the quotes", *text);
+    else if (const auto close = closest_match(*text, color_names()))
         hint = fmt::format("did you mean {}?", *close);
-    context.report(Code::unknown_color, node.span, fmt::format("{} is no color", shortened(node.text)), hint);
+    context.report(Code::unknown_color, node.span, fmt::format("{} is no color", shortened(*text)), hint);
     return {};
 }
 
@@ -223,14 +187,18 @@ std::optional<Value> read_color(ReadContext& context, const FieldType& field, co
 std::optional<std::string> read_word(ReadContext& context, const FieldType& field, const YamlNode& node) {
     if (node.kind != YamlKind::scalar)
         return report_shape(context, node, fmt::format("a {}", name(field.choices.empty() ? field.kind : FieldKind::choice))), std::nullopt;
-    if (report_dollar(context, node)) return {};
-    std::string word(node.text);
-    const Value value = field.kind == FieldKind::choices ? Value(std::vector{word}) : Value(word);
+    std::optional<std::string> word = read_text(context, node);
+    if (!word) return {};
+    const Value value = field.kind == FieldKind::choices ? Value(std::vector{*word}) : Value(*word);
     if (const auto why = why_invalid(field, value)) {
-        context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why), suggestion(word, field.choices));
+        context.report(Code::unknown_choice, node.span, fmt::format("{} {}", field.key, *why), suggestion(*word, field.choices));
         return {};
     }
     return word;
+}
+
+std::optional<Value> as_value(std::optional<std::string> text) {
+    return text ? std::optional<Value>(std::move(*text)) : std::nullopt;
 }
 
 }  // namespace
@@ -270,20 +238,14 @@ std::optional<Value> read_value(ReadContext& context, const FieldType& field, co
             return pair ? std::optional<Value>(*pair) : std::nullopt;
         }
         case FieldKind::points: return read_points(context, field, node);
-        case FieldKind::id: {
-            const auto id = read_name(context, field, node);
-            return id ? std::optional<Value>(*id) : std::nullopt;
-        }
+        case FieldKind::id: return as_value(read_name(context, field, node));
         case FieldKind::names:
             return read_texts(context, node, context.limits.events, [&](const YamlNode& item) { return read_name(context, field, item); });
         case FieldKind::choices:
             return read_texts(context, node, context.limits.points, [&](const YamlNode& item) { return read_word(context, field, item); });
-        case FieldKind::color: return read_color(context, field, node);
+        case FieldKind::color: return as_value(read_color(context, field, node));
         case FieldKind::text:
-        case FieldKind::choice: {
-            auto word = read_word(context, field, node);
-            return word ? std::optional<Value>(std::move(*word)) : std::nullopt;
-        }
+        case FieldKind::choice: return as_value(read_word(context, field, node));
     }
     return {};
 }

@@ -86,16 +86,16 @@ std::string write_scalar_like(const FieldType& field, const Value& value, const 
 namespace {
 
 /// An expression as a text that stands in a list or a map: quoted where a comma would split it.
-std::string expression_text(const WrittenNumbers& written, int index) {
-    for (const WrittenNumber& number : written)
-        if (number.index == index) return write_text(number.text);
+std::string expression_text(const WrittenParts& written, int index) {
+    for (const WrittenPart& part : written)
+        if (part.index == index) return write_text(part.text);
     return {};
 }
 
-std::string write(const FieldType& field, const Value& value, std::string_view like, const WrittenNumbers& written) {
-    int numbers = 0;
+std::string write(const FieldType& field, const Value& value, std::string_view like, const WrittenParts& written) {
+    int parts = 0;
     const auto number_text = [&](double number) {
-        const std::string expression = expression_text(written, numbers++);
+        const std::string expression = expression_text(written, parts++);
         return expression.empty() ? write_quantity(number, field.meta.unit, like) : expression;
     };
     const auto pair_text = [&](const Vec2& v) {
@@ -108,10 +108,13 @@ std::string write(const FieldType& field, const Value& value, std::string_view l
     if (const double* number = std::get_if<double>(&value)) return number_text(*number);
     if (const Vec2* pair = std::get_if<Vec2>(&value)) return pair_text(*pair);
     if (const auto* points = std::get_if<std::vector<Vec2>>(&value)) return list_text(*points, pair_text);
-    const auto word = [](const std::string& text) { return write_text(text); };
+    const auto word = [&](const std::string& text) {
+        std::string expression = expression_text(written, parts++);
+        return expression.empty() ? write_text(text) : expression;
+    };
     if (const auto* names = std::get_if<std::vector<std::string>>(&value))
         return names->size() == 1 ? word(names->front()) : list_text(*names, word);
-    return write_text(std::get<std::string>(value));
+    return word(std::get<std::string>(value));
 }
 
 }  // namespace
@@ -119,7 +122,7 @@ std::string write(const FieldType& field, const Value& value, std::string_view l
 std::string write_value(const FieldType& field, const Value& value, std::string_view like) { return write(field, value, like, {}); }
 
 std::string write_slot(const FieldType& field, const FieldSlot& slot, std::string_view like) {
-    return write(field, slot.value, like, slot.written ? *slot.written : WrittenNumbers{});
+    return write(field, slot.value, like, slot.written ? *slot.written : WrittenParts{});
 }
 
 }  // namespace pinfield

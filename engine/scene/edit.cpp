@@ -45,6 +45,20 @@ Reason why_still_needed(const Scene& scene, const Subtree& nodes) {
     return {};
 }
 
+/// What a template or copies made has no lines of its own, and children that are made have no list that another could stand in.
+Reason why_made(const Scene& scene, NodeId id) {
+    const Node* node = scene.find(id);
+    if (!node || !node->origin) return {};
+    return fmt::format("{} is made by {} (line {}): change it there", scene.path(id), node->origin->what,
+                       scene.sources.line_column(node->origin->where).line);
+}
+Reason why_closed(const Scene& scene, NodeId id) {
+    if (auto why = why_made(scene, id)) return why;
+    const Node* node = scene.find(id);
+    if (!node || !node->generator) return {};
+    return fmt::format("what is in {} is made by its {}: change it there", scene.path(id), node->generator->is_group ? "template" : "copies");
+}
+
 /// A number that is written as an expression is changed where the expression stands: an edit would flatten it.
 Reason why_fixed(const Scene& scene, const FieldType& field, const FieldSlot& slot) {
     const std::string line = slot.where ? fmt::format(" in line {}", scene.sources.line_column(slot.where).line) : "";
@@ -54,6 +68,7 @@ Reason why_fixed(const Scene& scene, const FieldType& field, const FieldSlot& sl
 // What stands against each edit before its outcome is looked at.
 
 Reason why_impossible(const Scene& scene, const Insert& edit) {
+    if (auto why = why_closed(scene, edit.parent)) return why;
     if (edit.nodes.empty()) return "there is nothing to insert";
     for (const Node& node : edit.nodes)
         if (!node.id || scene.find(node.id)) return "a node to insert is in the scene already";
@@ -66,18 +81,22 @@ Reason why_impossible(const Scene& scene, const Remove& edit) {
     const Node* node = scene.find(edit.node);
     if (!node) return gone();
     if (node->is_record() && node->name.empty()) return fmt::format("{} cannot be removed", node->type->key());
+    if (auto why = why_made(scene, edit.node)) return why;
     return why_still_needed(scene, scene.copy(edit.node));
 }
 
 Reason why_impossible(const Scene& scene, const Move& edit) {
     const Node* node = scene.find(edit.node);
     if (!node || node->is_record()) return gone();
+    if (auto why = why_made(scene, edit.node)) return why;
+    if (auto why = why_closed(scene, edit.parent)) return why;
     if (edit.parent && scene.find(edit.parent) && scene.is_within(edit.parent, edit.node)) return "a node cannot be put into itself";
     return why_no_place(scene, edit.parent, edit.index, node->parent == edit.parent ? 1 : 0);
 }
 
 Reason why_impossible(const Scene& scene, const Wrap& edit) {
     if (edit.parent && !scene.find(edit.parent)) return gone();
+    if (auto why = why_closed(scene, edit.parent)) return why;
     const int count = static_cast<int>(scene.children_of(edit.parent).size());
     if (edit.first < 0 || edit.count < 1 || edit.first + edit.count > count) return "there are no such children";
     if (!edit.wrapper.id || scene.find(edit.wrapper.id)) return "the node to wrap them in is in the scene already";
@@ -88,6 +107,7 @@ Reason why_impossible(const Scene& scene, const Wrap& edit) {
 Reason why_impossible(const Scene& scene, const Unwrap& edit) {
     const Node* node = scene.find(edit.node);
     if (!node || node->is_record()) return gone();
+    if (auto why = why_closed(scene, edit.node)) return why;
     if (node->children.empty()) return fmt::format("{} holds nothing", scene.path(edit.node));
     return why_still_needed(scene, {*node});
 }
@@ -95,6 +115,7 @@ Reason why_impossible(const Scene& scene, const Unwrap& edit) {
 Reason why_impossible(const Scene& scene, const Retype& edit) {
     const Node* node = scene.find(edit.node);
     if (!node || node->is_record()) return gone();
+    if (auto why = why_closed(scene, edit.node)) return why;
     if (edit.type->meta.kind == NodeKind::record || edit.fields.size() != edit.type->fields.size()) return "a node cannot become that";
     for (std::size_t i = 0; i < edit.fields.size(); ++i) {
         const FieldType& field = edit.type->fields[i];
@@ -113,6 +134,11 @@ Reason why_impossible(const Scene& scene, const Rename& edit) {
         return gone();
     }
     if (edit.from == edit.to) return {};
+    if (edit.node) {
+        if (auto why = why_made(scene, edit.node)) return why;
+        if (scene.find(edit.node)->generator && (edit.from.empty() || edit.to.empty()))
+            return fmt::format("what is in {} goes by its id: change it in the text", scene.path(edit.node));
+    }
     const bool is_material = edit.node && scene.find(edit.node)->is_record();
     if (is_material || !edit.node) {
         if (!is_name(edit.to)) return fmt::format("{} is not a valid id: use small letters, digits and _", edit.to);
@@ -201,13 +227,26 @@ void follow_input_in_tests(Scene& scene, const std::string& from, const std::str
             if (hand.input == from) hand.input = to;
 }
 
+/// What is measured of a node, or of what is made in it.
 void follow_in_tests(Scene& scene, const std::string& from, const std::string& to) {
     for (TableTest& test : scene.tests)
         for (TableTest::Expectation& expectation : test.expectations)
-            if (expectation.quantity == from + ".hits") {
-                expectation.quantity = to + ".hits";
+            if (expectation.quantity.starts_with(from + ".")) {
+                expectation.quantity.replace(0, from.size(), to);
                 expectation.text.replace(expectation.text.find(from), from.size(), to);
             }
+}
+
+/// What is made in a node goes by the node's id.
+void follow_in_children(Scene& scene, const Node& node, const std::string& from, const std::string& to) {
+    for (const NodeId id : node.children) {
+        Node& child = *scene.find(id);
+        if (child.origin && child.name.starts_with(from + ".")) {
+            child.name.replace(0, from.size(), to);
+            at(child.fields, *child.type->find_field("id")).value = child.name;
+        }
+        follow_in_children(scene, child, from, to);
+    }
 }
 
 // Each edit applied; what it returns takes it back.
@@ -274,7 +313,10 @@ Edit done(Scene& scene, const Rename& edit) {
     FieldSlot& id = at(node.fields, *node.type->find_field("id"));
     id.value = edit.to;
     back.is_explicit = std::exchange(id.is_explicit, edit.is_explicit);
-    if (!edit.from.empty()) follow_in_tests(scene, edit.from, edit.to);
+    if (!edit.from.empty()) {
+        follow_in_tests(scene, edit.from, edit.to);
+        follow_in_children(scene, node, edit.from, edit.to);
+    }
     return back;
 }
 
@@ -310,7 +352,10 @@ Reason why_invalid(const Scene& scene, const SetField& edit) {
     const Node* node = scene.find(edit.node);
     if (!node) return gone();
     if (edit.field < 0 || edit.field >= static_cast<int>(node->fields.size())) return "the node has no such field";
+    if (auto why = why_made(scene, edit.node)) return why;
     const FieldType& field = at(node->type->fields, edit.field);
+    if (node->generator && (is_id_field(field) || !node->generator->is_group))
+        return fmt::format("{} is more than one node: change its {} in the text", scene.path(edit.node), field.key);
     if (const FieldSlot& slot = at(node->fields, edit.field); slot.written) return why_fixed(scene, field, slot);
     if (auto why = why_invalid(field, edit.value)) return fmt::format("{} {}", field.key, *why);
     if (is_id_field(field)) {

@@ -22,9 +22,9 @@ struct Plot {
     double radius;
 };
 
-class Generator {
+class PlayfieldGenerator {
 public:
-    Generator(Scene& scene, int obstacles, std::uint64_t seed)
+    PlayfieldGenerator(Scene& scene, int obstacles, std::uint64_t seed)
         : scene_(scene), random_(seed, 0), size_(0.5 * std::sqrt(obstacles / 200.0), std::sqrt(obstacles / 200.0)) {}
 
     void run(int obstacles) {
@@ -110,7 +110,7 @@ Scene playfield(std::shared_ptr<const Catalog> catalog, int obstacles, std::uint
     Node& elastic = scene.add_material("default");
     set(elastic, "restitution", 1.0);
     set(elastic, "friction", 0.0);
-    Generator(scene, obstacles, seed).run(obstacles);
+    PlayfieldGenerator(scene, obstacles, seed).run(obstacles);
     return scene;
 }
 

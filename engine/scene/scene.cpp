@@ -254,6 +254,7 @@ void Scene::rename(const std::map<NodeId, NodeId>& new_ids) {
 }
 
 bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
+    if (!x.generator != !y.generator || !x.origin != !y.origin) return false;
     if (x.type->key() != y.type->key() || x.name != y.name || x.fields.size() != y.fields.size() ||
         x.children.size() != y.children.size())
         return false;
@@ -269,6 +270,15 @@ bool same_node(const Scene& a, const Node& x, const Scene& b, const Node& y) {
 bool same_nodes(const Scene& a, const std::vector<NodeId>& x, const Scene& b, const std::vector<NodeId>& y) {
     return std::equal(x.begin(), x.end(), y.begin(), y.end(),
                       [&](NodeId i, NodeId j) { return same_node(a, *a.find(i), b, *b.find(j)); });
+}
+
+bool same_param(const Param& a, const Param& b) {
+    const auto same = [](const WrittenQuantity& x, const WrittenQuantity& y) { return x.text == y.text && identical(Value(x.value), Value(y.value)); };
+    const auto both = [&](const std::optional<WrittenQuantity>& x, const std::optional<WrittenQuantity>& y) {
+        return x.has_value() == y.has_value() && (!x || same(*x, *y));
+    };
+    return a.name == b.name && same(a.value, b.value) && both(a.min, b.min) && both(a.max, b.max) && both(a.step, b.step) &&
+           a.label == b.label && a.unit == b.unit;
 }
 
 bool same_input(const InputBinding& a, const InputBinding& b) { return a.name == b.name && a.keys == b.keys; }

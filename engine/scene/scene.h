@@ -11,25 +11,26 @@
 #include "engine/core/source_text.h"
 #include "engine/reflect/catalog.h"
 #include "engine/reflect/value.h"
+#include "engine/scene/authored.h"
 
 namespace pinfield {
 
-/// A number of a field that its author wrote as an expression: which of the value's numbers (a point has two), and how.
-struct WrittenNumber {
+/// A number or word of a field that its author wrote as an expression, or as a name after $: which of the value's (a point has two), and how.
+struct WrittenPart {
     int index = 0;
     std::string text;
-    bool operator==(const WrittenNumber&) const = default;
+    bool operator==(const WrittenPart&) const = default;
 };
-using WrittenNumbers = std::vector<WrittenNumber>;
+using WrittenParts = std::vector<WrittenPart>;
 
 /// A field's value and, when the author wrote it, where that value stands.
 struct FieldSlot {
     Value value;
     bool is_explicit = false;
     Place where{};
-    std::shared_ptr<const WrittenNumbers> written{};  ///< null, as almost always: no number of it is an expression
+    std::shared_ptr<const WrittenParts> written{};  ///< null, as almost always: all of it stands in the text as it is
 
-    /// Are the same numbers written as the same expressions?
+    /// Are the same parts written as the same expressions?
     bool is_written_as(const FieldSlot& other) const {
         return written == other.written || (written && other.written && *written == *other.written);
     }
@@ -45,6 +46,8 @@ struct Node {
     NodeId parent;                  ///< none at the top level
     Place where{};                  ///< the whole node: from its key to the end of its last value
     Place key{};                    ///< its type's word (or a material's name) in the text
+    std::shared_ptr<const Origin> origin{};          ///< null: lines of its own make it
+    std::shared_ptr<const Generator> generator{};    ///< null: the children are the author's own
 
     bool is_record() const { return type->meta.kind == NodeKind::record; }
     const Value& value(std::string_view key_of_field) const;
@@ -147,6 +150,8 @@ public:
     std::vector<std::string> layers(NodeId id) const;
 
     Sources sources;  ///< the texts that places in the scene refer to; none when it was not read from a text
+    std::vector<Param> params;
+    std::string templates;  ///< the entries of the section, as lines; empty: there are none
     std::vector<InputBinding> inputs;
     std::vector<TableTest> tests;
 

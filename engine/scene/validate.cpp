@@ -29,24 +29,36 @@ std::string count_allowed(ChildCount allowed) {
 /// Where something else is, for a hint: its line, or, in a scene that no text was read for, its path.
 std::string whereabouts(const Scene& scene, const Place& place, NodeId node) {
     if (place) return fmt::format("line {}", scene.sources.line_column(place).line);
-    return node ? scene.path(node) : "inputs";
+    return node ? scene.path(node) : "the table";
+}
+
+/// A finding about a node that a template or copies made tells the way to it.
+Diagnostic through(const Node& node, Diagnostic found) {
+    for (auto step = node.origin; step; step = step->outer) found.via.push_back({step->what, step->where});
+    return found;
 }
 
 void check_ids(const Scene& scene, std::size_t most, Diagnostics& findings) {
     struct Holder {
-        NodeId node;  ///< none: an input
+        NodeId node;  ///< none: an input or a param
         Place where;
     };
     std::map<std::string_view, Holder> taken;
-    for (const InputBinding& input : scene.inputs) taken.emplace(input.name, Holder{{}, input.where});
+    for (const Param& param : scene.params) taken.emplace(param.name, Holder{{}, param.where});
+    for (const InputBinding& input : scene.inputs) {
+        const auto [first, is_new] = taken.emplace(input.name, Holder{{}, input.where});
+        if (!is_new && !first->second.node && findings.size() <= most)
+            findings.push_back(diagnose(Code::duplicate_id, input.where, taken_id(input.name), whereabouts(scene, first->second.where, {}) + " has it"));
+    }
     for (const NodeId id : scene.all()) {
         const Node& node = *scene.find(id);
         if (node.is_record() || node.name.empty()) continue;
         const auto [first, is_new] = taken.emplace(node.name, Holder{id, node.key});
         if (is_new) continue;
         if (findings.size() > most) return;
-        findings.push_back(diagnose(Code::duplicate_id, at(node.fields, *node.type->find_field("id")).where, taken_id(node.name),
-                                    whereabouts(scene, first->second.where, first->second.node) + " has it"));
+        findings.push_back(through(node, diagnose(Code::duplicate_id, at(node.fields, *node.type->find_field("id")).where, taken_id(node.name),
+                                                  node.origin ? "give each use an id of its own"
+                                                              : whereabouts(scene, first->second.where, first->second.node) + " has it")));
     }
 }
 
@@ -64,8 +76,10 @@ void check_fields(const Scene& scene, std::size_t most, Diagnostics& findings) {
             if (findings.size() > most) return;
             const FieldType& field = node.type->fields[i];
             if (!node.fields[i].is_explicit) continue;
-            if (!node.has_use_for(i)) findings.push_back(diagnose(Code::idle_field, node.fields[i].where, why_idle(node, field)));
+            if (!node.has_use_for(i)) findings.push_back(through(node, diagnose(Code::idle_field, node.fields[i].where, why_idle(node, field))));
+            const std::size_t before = findings.size();
             check_references(known, field, node.fields[i], most, findings);
+            for (std::size_t f = before; f < findings.size(); ++f) findings[f] = through(node, std::move(findings[f]));
         }
     }
 }
@@ -163,7 +177,7 @@ std::string taken_id(std::string_view id) { return fmt::format("the id {} is tak
 bool is_id_taken(const Scene& scene, std::string_view id, NodeId node) {
     const bool is_input =
         std::any_of(scene.inputs.begin(), scene.inputs.end(), [&](const InputBinding& input) { return input.name == id; });
-    if (is_input) return true;
+    if (is_input || std::any_of(scene.params.begin(), scene.params.end(), [&](const Param& param) { return param.name == id; })) return true;
     const std::vector<NodeId> all = scene.all();
     return std::any_of(all.begin(), all.end(), [&](NodeId other) {
         const Node& holder = *scene.find(other);

@@ -22,6 +22,8 @@ const std::map<std::string_view, Variants>& variants() {
         {"table", {"{name: Moon, slope: 6}", "{name: Moon, slope: 7}"}},
         {"physics", {"{step: 1ms}", "{step: 2ms}"}},
         {"materials", {"{rubber: {restitution: 0.8}}", "{rubber: {restitution: 0.7}}"}},
+        {"params", {"{gap: 4cm}", "{gap: {value: 4cm, min: 1cm}}"}},
+        {"templates", {"{gear: {args: {r: 1cm}, nodes: [circle: {radius: r}]}}", "{gear: {args: {r: 2cm}, nodes: [circle: {radius: r}]}}"}},
         {"scene", {"[union: {id: u, children: [circle: {radius: 3cm}]}]", "[union: {id: u, children: [circle: {radius: 4cm}]}]"}},
         {"inputs", {"{left: Z}", "{left: [Z, A]}"}},
         {"tests", {"[{run: 1s, expect: u.hits >= 1}]", "[{run: 1s, expect: u.hits >= 2}]"}},

@@ -59,9 +59,9 @@ TEST_CASE("signs and words for units are answered with the number as it is to be
 }
 
 TEST_CASE("a section that is refused is not offered") {
-    const Reading result = read("pinfield: 1\nscene: []\nparms: {}\n");
+    const Reading result = read("pinfield: 1\nscene: []\ngmae: {}\n");
     REQUIRE(result.diagnostics.size() == 1);
-    CHECK(result.diagnostics[0].hint.find("params") == std::string::npos);
+    CHECK(result.diagnostics[0].hint.find("game") == std::string::npos);
 }
 
 TEST_CASE("a part's field of its customary shape does nothing beside children, and is shown without them only") {

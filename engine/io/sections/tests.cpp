@@ -7,6 +7,7 @@
 
 #include "engine/core/at.h"
 #include "engine/core/numbers.h"
+#include "engine/io/entries.h"
 #include "engine/io/node_writer.h"
 #include "engine/io/quantity.h"
 #include "engine/io/schema_parts.h"
@@ -17,32 +18,6 @@
 
 namespace pinfield::sections {
 namespace {
-
-FieldType number_field(std::string_view key, Unit unit, Limit min, Limit max, FieldKind kind = FieldKind::number) {
-    FieldMeta meta;
-    meta.unit = unit;
-    meta.min = min;
-    meta.max = max;
-    return {key, kind, meta, {}, {}, false};
-}
-
-/// Entries of a map whose keys are few and known: calls read(key index, value) for those with a value.
-template <class Read>
-void read_entries(ReadContext& context, std::string_view what, const YamlNode& map,
-                  const std::vector<std::string_view>& keys, Read read) {
-    for (std::size_t i = 0; i < map.entries() && !context.full(); ++i) {
-        const auto it = std::find(keys.begin(), keys.end(), map.key(i).text);
-        const YamlNode& value = map.value(i).resolved();
-        if (!is_plain_key(map.key(i))) continue;
-        if (it == keys.end())
-            context.report(Code::unknown_key, map.key(i).span, fmt::format("{} has no {}", what, map.key(i).text),
-                           suggestion(map.key(i).text, keys));
-        else if (value.kind == YamlKind::null)
-            report_missing_value(context, map.key(i), value);
-        else
-            read(it - keys.begin(), value);
-    }
-}
 
 void read_launch(ReadContext& context, TableTest& test, const YamlNode& node) {
     if (node.kind != YamlKind::map)
@@ -285,7 +260,7 @@ extern const Section tests{
     .schema = [] { return schema::list(test_schema()); },
     .same = [](const Scene& a,
                const Scene& b) { return std::equal(a.tests.begin(), a.tests.end(), b.tests.begin(), b.tests.end(), same_test); },
-    .names_nodes = true,
+    .phase = Section::Phase::after_nodes,
 };
 
 }  // namespace pinfield::sections
