@@ -111,10 +111,17 @@ Findings findings_of(const Reading& loaded, const Options& options) {
     return out;
 }
 
+/// The code to read more about: the first error's, or else the first warning's.
+void note_code(const Diagnostics& found, std::string& code) {
+    for (const Diagnostic& diagnostic : found)
+        if (code.empty() || (code.front() == 'W' && diagnostic.severity == Severity::error)) code = diagnostic.code;
+}
+
 ExitCode check(const Options& options) {
     const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
     ExitCode exit = ExitCode::fine;
     std::vector<std::string> objects;
+    std::string code;
     for (const std::string& file : options.files) {
         const Result<Reading> loaded = load_table(file, catalog);
         if (!loaded) {
@@ -124,6 +131,7 @@ ExitCode check(const Options& options) {
         }
         const Findings found = findings_of(*loaded, options);
         if (has_errors(found.diagnostics) && exit == ExitCode::fine) exit = ExitCode::wrong;
+        note_code(found.diagnostics, code);
         if (!options.json) print(text_of(found.diagnostics, loaded->scene.sources) + lines_of(found.notes, loaded->scene.sources));
         for (const Diagnostic& diagnostic : found.diagnostics) {
             const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
@@ -132,6 +140,7 @@ ExitCode check(const Options& options) {
         for (const Note& note : found.notes) objects.push_back(json_of(note, loaded->scene.sources).text());
     }
     if (options.json) print(json_array(objects) + "\n");
+    else if (!code.empty()) print(fmt::format("`pinfield explain {}` tells more, with an example of wrong and of right.\n", code));
     return exit;
 }
 

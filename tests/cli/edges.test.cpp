@@ -241,5 +241,5 @@ TEST_CASE("of thirty thousand layers one is told, at its place") {
     const Outcome outcome = run_pinfield("check " + scratch.write("t.yaml", text));
     CHECK(outcome.exit == 1);
     CHECK_THAT(outcome.out, Catch::Contains("t.yaml:34:5: error: l31 is one layer more than the 32 that are possible"));
-    CHECK(lines_of(outcome.out).size() == 4);
+    CHECK(lines_of(outcome.out).size() == 5);
 }

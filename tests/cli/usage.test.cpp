@@ -5,7 +5,7 @@
 using namespace pinfield::cli_test;
 
 namespace {
-const std::vector<std::string> commands{"check", "nodes", "schema", "eval", "simulate", "render", "format", "test", "bench"};
+const std::vector<std::string> commands{"check", "explain", "nodes", "schema", "eval", "simulate", "render", "format", "test", "bench"};
 }
 
 TEST_CASE("help and version are answers") {
@@ -51,6 +51,7 @@ TEST_CASE("a wrong command line is exit 2, with words on stderr and nothing on s
                                   "simulate scenes/tables/first_table.yaml --seed -1",
                                   "simulate scenes/tables/first_table.yaml --seed 18446744073709551616",
                                   "nodes no_such_node",
+                                  "explain E9999",
                                   "nodes --json --markdown"}) {
         INFO(arguments);
         const Outcome outcome = run_pinfield(arguments);
@@ -89,7 +90,7 @@ TEST_CASE("what cannot be written is exit 3, a full disk included") {
         }
     }
     for (const std::string& arguments :
-         std::vector<std::string>{"--help", "--version", "nodes", "nodes --json", "schema", "format " + first_table, "test " + first_table,
+         std::vector<std::string>{"--help", "--version", "nodes", "nodes --json", "explain", "schema", "format " + first_table, "test " + first_table,
                                   "eval " + first_table + " --points " + points, "simulate " + first_table + " --seconds 0.01",
                                   "check scenes/invalid/unknown_key.yaml"}) {
         INFO(arguments);

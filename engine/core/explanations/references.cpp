@@ -1,0 +1,69 @@
+// E03xx: names that refer to something. E04xx: what is designed and not there yet.
+#include "engine/core/explanations.h"
+
+namespace pinfield {
+namespace {
+
+constexpr Explanation all[] = {
+    {Code::unknown_material,
+     "The table's `materials:` has none of this name. `default` is always there.",
+     "pinfield: 1\nmaterials: {rubber: {}}\nscene: [circle: {material: ruber}]\n",
+     "pinfield: 1\nmaterials: {rubber: {}}\nscene: [circle: {material: rubber}]\n"},
+    {Code::unknown_input,
+     "Flippers and plungers listen to inputs, and the table's `inputs:` says which keys each has. None has this name.",
+     "pinfield: 1\nscene: [flipper: {input: [lefft]}]\ninputs: {left: [Z]}\n",
+     "pinfield: 1\nscene: [flipper: {input: [left]}]\ninputs: {left: [Z]}\n"},
+    {Code::duplicate_id,
+     "An id is one thing's name in the whole file, inputs and what stands in operators included: tests, events and the editor find it by "
+     "that.",
+     "- bumper: {id: pop}\n- bumper: {id: pop, at: [10cm, 0]}\n",
+     "- bumper: {id: pop_left}\n- bumper: {id: pop_right, at: [10cm, 0]}\n"},
+    {Code::unknown_quantity,
+     "A test compares what is counted: `escaped`, `drained`, `max penetration`, and ID.hits of what can be hit. What could only ever be 0 is "
+     "refused, too: nothing hits a spawn.",
+     "pinfield: 1\nscene: [bumper: {id: pop}]\ntests: [{expect: [pop.hit >= 0]}]\n",
+     "pinfield: 1\nscene: [bumper: {id: pop}]\ntests: [{expect: [pop.hits >= 0]}]\n"},
+
+    {Code::params_unsupported,
+     "Names for numbers are designed, and this version does not have them yet. Write the number, or the expression of numbers, where it is "
+     "needed.",
+     "pinfield: 1\nparams: {gap: 46mm}\nscene: [circle: {}]\n",
+     "pinfield: 1\nscene: [circle: {radius: 46mm / 2}]\n"},
+    {Code::templates_unsupported,
+     "Templates are designed, and this version does not have them yet. An anchor (&name) and aliases (*name) repeat a node as it is; "
+     "repeat, repeat_polar and mirror repeat it elsewhere.",
+     "pinfield: 1\ntemplates: {gear: {nodes: []}}\nscene: [circle: {}]\n",
+     "pinfield: 1\nscene:\n  - group: {children: [&gear {circle: {radius: 2cm}}]}\n  - group: {at: [10cm, 0], children: [*gear]}\n"},
+    {Code::use_unsupported,
+     "Templates are designed, and this version does not have them yet. An anchor (&name) and aliases (*name) repeat a node as it is.",
+     "- use: {template: gear}\n",
+     "- group: {children: [&gear {circle: {radius: 2cm}}]}\n- group: {at: [10cm, 0], children: [*gear]}\n"},
+    {Code::copies_unsupported,
+     "Copies of parts are designed, and this version does not have them yet. Shapes are repeated by repeat and repeat_polar; write parts one "
+     "by one.",
+     "- bumper: {copies: {count: 2, step: [10cm, 0]}}\n",
+     "- bumper: {}\n- bumper: {at: [10cm, 0]}\n"},
+    {Code::pair_unsupported,
+     "Pairs of parts are designed, and this version does not have them yet. Shapes are mirrored by mirror; write the other part with its "
+     "angles turned round.",
+     "- flipper: {at: [0.17, 0.12], pair: 0.26}\n",
+     "- flipper: {at: [0.17, 0.12]}\n- flipper: {at: [0.35, 0.12], rest: 210, swing: -51}\n"},
+    {Code::motion_unsupported,
+     "Numbers that move by themselves are designed, and this version does not have them yet. Flippers and plungers move at an input.",
+     "- circle: {turn: {spin: 60}}\n",
+     "- circle: {turn: 60}\n"},
+    {Code::include_unsupported,
+     "Tables of several files are designed, and this version does not have them yet. Write all of it into one.",
+     "pinfield: 1\ninclude: [parts/walls.yaml]\nscene: [circle: {}]\n",
+     "pinfield: 1\nscene: [circle: {}]\n"},
+    {Code::game_unsupported,
+     "Scores, balls and modes as data are designed, and this version does not have them yet. Tables play without; hits are counted.",
+     "pinfield: 1\nscene: [circle: {}]\ngame: {balls: 3}\n",
+     "pinfield: 1\nscene: [circle: {}]\n"},
+};
+
+}  // namespace
+
+std::span<const Explanation> reference_explanations() { return all; }
+
+}  // namespace pinfield
