@@ -72,7 +72,7 @@ void go_on(AppState& state, const Prompt& prompt) {
         if (state.keeper) state.keeper->drop();
     } else if (prompt.then_action.starts_with("new.")) {
         for (const Starter& starter : starters())
-            if (starter.action == prompt.then_action) replace_document(state, Document::untitled(state.catalog, starter.text));
+            if (action_of(starter) == prompt.then_action) replace_document(state, Document::untitled(state.catalog, starter.text));
         state.choosing = false;
         say(state, "A new table");
     } else if (prompt.path.empty()) ask_path(state, "file.open");

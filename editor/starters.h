@@ -1,17 +1,12 @@
-// The tables that File > New offers: small, played as they are, and worth reading.
+// The tables that File > New offers, as actions.
 #pragma once
-#include <span>
-#include <string_view>
+#include <string>
+
+#include "engine/io/starters.h"
 
 namespace pinfield::editor {
 
-struct Starter {
-    std::string_view action;  ///< "new.classic"
-    std::string_view title, doc;
-    std::string_view text;
-};
-
-/// The first is what a new window begins with.
-std::span<const Starter> starters();
+/// "new.classic"
+inline std::string action_of(const Starter& starter) { return std::string("new.").append(starter.key); }
 
 }  // namespace pinfield::editor

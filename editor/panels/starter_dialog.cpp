@@ -14,7 +14,7 @@ namespace pinfield::editor {
 namespace {
 
 const Picture& picture_for(const AppState& state, Ui& ui, const Starter& starter) {
-    const auto [found, is_new] = ui.palette.pictures.try_emplace(starter.action);
+    const auto [found, is_new] = ui.palette.pictures.try_emplace(action_of(starter));
     if (is_new)
         found->second = picture_of(read_table(std::make_shared<const SourceText>("", std::string(starter.text)), state.catalog).scene);
     return found->second;
@@ -24,7 +24,7 @@ const Picture& picture_for(const AppState& state, Ui& ui, const Starter& starter
 bool card(const AppState& state, Ui& ui, const Starter& starter, ImVec2 size, bool chosen) {
     const Theme& theme = ui.theme;
     const ImVec2 place = ImGui::GetCursorScreenPos();
-    const bool clicked = ImGui::InvisibleButton(std::string(starter.action).c_str(), size);
+    const bool clicked = ImGui::InvisibleButton(action_of(starter).c_str(), size);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(place, {place.x + size.x, place.y + size.y}, ink(ImGui::IsItemHovered() ? palette::field_hot : palette::field),
                        theme.px(6));
@@ -55,17 +55,17 @@ void starter_dialog(AppState& state, Ui& ui) {
     ImGui::Dummy({0, theme.px(4)});
     const float gap = theme.px(10),
                 width = (ImGui::GetContentRegionAvail().x - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
-    std::string_view answer;
+    std::string answer;
     for (int i = 0; i < count; ++i) {
         if (i > 0) ImGui::SameLine(0, gap);
-        if (card(state, ui, at(starters(), i), {width, theme.px(220)}, i == ui.starter)) answer = at(starters(), i).action;
+        if (card(state, ui, at(starters(), i), {width, theme.px(220)}, i == ui.starter)) answer = action_of(at(starters(), i));
         if (ImGui::IsItemHovered()) ui.starter = i;
     }
     ImGui::Dummy({0, theme.px(2)});
     text_in(theme.body, palette::quiet, at(starters(), ui.starter).doc);
     align_right(theme.px(92));
     if (dialog_button(theme, "Cancel", false)) answer = "new.cancel";
-    if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) answer = at(starters(), ui.starter).action;
+    if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) answer = action_of(at(starters(), ui.starter));
     if (escape_pressed() && !appears) answer = "new.cancel";
     if (!answer.empty()) run(state, answer);
     if (!state.choosing || state.prompt) ImGui::CloseCurrentPopup();

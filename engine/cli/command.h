@@ -33,6 +33,7 @@ T value_or_stop(Result<T> result) {
 /// Each adds its subcommand; when the user asks for it, the callback runs it and sets `exit`.
 void add_check(const Command& app, ExitCode& exit);
 void add_explain(const Command& app, ExitCode& exit);
+void add_new(const Command& app, ExitCode& exit);
 void add_nodes(const Command& app, ExitCode& exit);
 void add_schema(const Command& app, ExitCode& exit);
 void add_eval(const Command& app, ExitCode& exit);

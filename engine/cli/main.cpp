@@ -18,6 +18,7 @@ void add_commands(const Command& app, ExitCode& exit) {
     using namespace pinfield::cli;
     add_check(app, exit);
     add_explain(app, exit);
+    add_new(app, exit);
     add_nodes(app, exit);
     add_schema(app, exit);
     add_eval(app, exit);

@@ -5,7 +5,7 @@
 using namespace pinfield::cli_test;
 
 namespace {
-const std::vector<std::string> commands{"check", "explain", "nodes", "schema", "eval", "simulate", "render", "format", "test", "bench"};
+const std::vector<std::string> commands{"check", "explain", "new", "nodes", "schema", "eval", "simulate", "render", "format", "test", "bench"};
 }
 
 TEST_CASE("help and version are answers") {
@@ -52,6 +52,10 @@ TEST_CASE("a wrong command line is exit 2, with words on stderr and nothing on s
                                   "simulate scenes/tables/first_table.yaml --seed 18446744073709551616",
                                   "nodes no_such_node",
                                   "explain E9999",
+                                  "new",
+                                  "new \"\"",
+                                  "new /tmp/",
+                                  "new x --from no_such_starter",
                                   "nodes --json --markdown"}) {
         INFO(arguments);
         const Outcome outcome = run_pinfield(arguments);

@@ -18,9 +18,9 @@ using namespace pinfield::editor::test;
 
 TEST_CASE("every table to begin with reads and compiles without a word, and plays for half a minute") {
     for (const Starter& starter : starters()) {
-        INFO(starter.action);
+        INFO(action_of(starter));
         AppState state = untitled_state();
-        run(state, starter.action);
+        run(state, action_of(starter));
         CHECK(state.document.source().text() == starter.text);
         CHECK_FALSE(state.document.dirty());
         CHECK(state.document.diagnostics().empty());
@@ -32,7 +32,7 @@ TEST_CASE("every table to begin with reads and compiles without a word, and play
         }
         for (const Ball& ball : state.session.world().balls())
             if (ball.state != BallState::drained) CHECK(nearest(state.session.program().fixed, ball.position).distance > 0);
-        if (starter.action == "new.classic" || starter.action == "new.fan") CHECK(state.session.hits() > 0);
+        if (starter.key == "classic" || starter.key == "fan") CHECK(state.session.hits() > 0);
     }
 }
 

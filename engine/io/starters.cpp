@@ -1,6 +1,10 @@
-#include "editor/starters.h"
+#include "engine/io/starters.h"
 
-namespace pinfield::editor {
+#include <fmt/format.h>
+
+#include "engine/io/text_patch.h"
+
+namespace pinfield {
 namespace {
 
 constexpr std::string_view classic = R"(# A new table: metres, degrees, y up, origin at the bottom left.
@@ -39,6 +43,10 @@ scene:
   - drain: {id: drain, at: [0.26, 0.035], size: [0.40, 30mm]}
 
 inputs: {left: [Z, LeftShift], right: [Slash, RightShift], plunge: [Space]}
+
+tests:
+  - {name: the ball falls onto the bumper, run: 2s, expect: [pop.hits >= 1, escaped == 0]}
+  - {name: a ball between the flippers drains, launch: {at: [0.26, 0.3]}, run: 2s, expect: [drained == 1]}
 )";
 
 constexpr std::string_view blank = R"(# An empty table: metres, degrees, y up, origin at the bottom left.
@@ -114,6 +122,10 @@ scene:
   - drain: {id: drain, at: [0.236, 0.035], size: [0.40, 30mm]}
 
 inputs: {left: [Z, LeftShift], right: [Slash, RightShift], plunge: [Space]}
+
+tests:
+  - {name: a full pull goes round the arch to the post, inputs: {plunge: [0.2s, 1s]}, run: 4s, expect: [post.hits >= 1, escaped == 0]}
+  - {name: a ball between the flippers drains, launch: {at: [0.236, 0.3]}, run: 2s, expect: [drained == 1]}
 )";
 
 constexpr std::string_view homework = R"(# One ball among obstacles: falling, bouncing, and where the energy goes. Metres, degrees, y up.
@@ -138,17 +150,32 @@ scene:
         - box: {size: [0.3, 0.2]}
         - circle: {radius: 0.12, at: [0, 0.1]}
   - spawn: {id: ball, at: [0.32, 0.9], velocity: [0.2, 0]}
+
+tests:
+  - {name: it falls onto the disc and goes on, run: 5s, expect: [disc.hits >= 1, slope.hits >= 1, escaped == 0]}
 )";
 
 constexpr Starter all[] = {
-    {"new.classic", "Classic", "Two flippers, slings and a bumper: played at once.", classic},
-    {"new.fan", "Fan", "An arch, a plunger and lanes that fan out from the flippers.", fan},
-    {"new.homework", "Bouncing ball", "One ball and some obstacles: for CS248B and for trying things.", homework},
-    {"new.blank", "Blank", "Four walls.", blank},
+    {"classic", "Classic", "Two flippers, slings and a bumper: played at once.", classic},
+    {"fan", "Fan", "An arch, a plunger and lanes that fan out from the flippers.", fan},
+    {"homework", "Bouncing ball", "One ball and some obstacles: for CS248B and for trying things.", homework},
+    {"blank", "Blank", "Four walls.", blank},
 };
 
 }  // namespace
 
 std::span<const Starter> starters() { return all; }
 
-}  // namespace pinfield::editor
+std::string modeline(std::string_view schema) { return fmt::format("# yaml-language-server: $schema={}\n", schema); }
+
+Result<std::string> new_table(const Starter& starter, const std::string& name, std::string_view schema, std::shared_ptr<const Catalog> catalog) {
+    const std::string text = modeline(schema) + std::string(starter.text);
+    const Reading reading = read_table(std::make_shared<const SourceText>(std::string(starter.key), text), std::move(catalog));
+    const Node& table = reading.scene.table();
+    const Edit rename = SetField{table.id, *table.type->find_field("name"), name, true};
+    auto named = patch_for(reading, std::span(&rename, 1));
+    if (!named) return tl::make_unexpected(named.error());
+    return named->reading.source().text();
+}
+
+}  // namespace pinfield
