@@ -4,6 +4,7 @@
 
 #include "engine/io/json_schema.h"
 #include "engine/io/node_reference.h"
+#include "engine/io/starters.h"
 #include "tests/io/support.h"
 
 using namespace pinfield;
@@ -66,4 +67,18 @@ TEST_CASE("the schema describes every node, field and section") {
     CHECK(schema["definitions"]["group"]["properties"]["children"]["items"]["$ref"] == "#/definitions/scene_node");
     for (const char* section : {"pinfield", "table", "physics", "materials", "scene", "inputs", "tests"})
         CHECK(schema["properties"].contains(section));
+}
+
+TEST_CASE("the schema that is committed is this version's: `pinfield schema > scenes/table.schema.json` renews it") {
+    CHECK((file_text(std::filesystem::path(source_dir()) / "scenes/table.schema.json") == json_schema(*catalog())));
+}
+
+TEST_CASE("every shipped table tells text editors where its schema is, and there it is") {
+    for (const char* folder : {"tables", "nodes"})
+        for (const auto& path : scene_files(folder)) {
+            INFO(path);
+            const std::string schema = "../table.schema.json";
+            CHECK(file_text(path).starts_with(modeline(schema)));
+            CHECK(std::filesystem::exists(path.parent_path() / schema));
+        }
 }

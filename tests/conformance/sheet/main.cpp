@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "engine/io/files.h"
+#include "engine/io/starters.h"
 #include "engine/scene/catalog.h"
 #include "tests/conformance/sheet/page.h"
 #include "tests/conformance/sheet/picture.h"
@@ -32,6 +33,12 @@ T value_or_stop(Result<T> result) {
 
 std::string example_of(const NodeType& type) { return fmt::format("{}scenes/nodes/{}.yaml", root, type.key()); }
 
+/// Its text; the modeline is for text editors.
+std::string text_of_example(const NodeType& type) {
+    const std::string text = value_or_stop(read_file(example_of(type))), first = modeline("../table.schema.json");
+    return text.starts_with(first) ? text.substr(first.size()) : text;
+}
+
 std::vector<const NodeType*> measured_types(const Catalog& catalog) {
     std::vector<const NodeType*> out;
     for (const NodeType& type : catalog.types())
@@ -47,7 +54,7 @@ std::map<std::string, std::string> sheet(const Catalog& catalog, const Timings& 
         const auto timing = timings.find(type->key());
         const int sets = type->meta.kind == NodeKind::shape ? shape_sets : operation_sets;
         entries.push_back({type, measure(catalog, *type, sets), timing == timings.end() ? Timing{} : timing->second,
-                           value_or_stop(read_file(example_of(*type)))});
+                           text_of_example(*type)});
     }
     std::map<std::string, std::string> files{{"README.md", index_of(entries)}, {"timings.csv", csv_of(catalog, timings)}};
     for (const Entry& entry : entries) files.emplace(fmt::format("{}.md", entry.type->key()), page_of(entry));
