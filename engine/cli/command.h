@@ -43,5 +43,6 @@ void add_format(const Command& app, ExitCode& exit);
 void add_expand(const Command& app, ExitCode& exit);
 void add_test(const Command& app, ExitCode& exit);
 void add_bench(const Command& app, ExitCode& exit);
+void add_completion(const Command& app, ExitCode& exit);
 
 }  // namespace pinfield::cli

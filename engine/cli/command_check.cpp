@@ -149,7 +149,7 @@ ExitCode check(const Options& options) {
 void add_check(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("check", "Tell all that is wrong with tables, with file, line and column");
     const auto options = std::make_shared<Options>();
-    command.option("FILE", options->files, "Table files").required();
+    command.option("FILE", options->files, "Table files").required().offer(Offer::Kind::tables);
     command.flag("--json", options->json, "Print an array of findings");
     command.flag("--verbose", options->verbose, "Tell of every node with a distance how far that may be trusted");
     command.flag("--pockets", options->pockets, "Tell where slow balls come to rest and nothing plays them");

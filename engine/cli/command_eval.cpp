@@ -106,9 +106,9 @@ void add_eval(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand(
         "eval", "Evaluate the signed distance of a table's solids at points, and tell where it is certified to be the true one");
     const auto options = std::make_shared<Options>();
-    command.option("FILE", options->file, "Table file").required();
-    command.option("--points", options->points, "CSV with the header x,y, metres").required();
-    command.option("-o,--output", options->out, "CSV to write; stdout when not given").check(why_no_output);
+    command.option("FILE", options->file, "Table file").required().offer(Offer::Kind::tables);
+    command.option("--points", options->points, "CSV with the header x,y, metres").required().offer(Offer::Kind::files);
+    command.option("-o,--output", options->out, "CSV to write; stdout when not given").check(why_no_output).offer(Offer::Kind::files);
     command.flag("--shapes-only", options->shapes_only, "Leave the domain out");
     command.callback([options, &exit] {
         eval(*options);

@@ -113,7 +113,9 @@ void explain(const Options& options) {
 void add_explain(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("explain", "Tell what an error's code means, with an example of wrong and of right");
     const auto options = std::make_shared<Options>();
-    command.option("CODE", options->code, "Its code (E0203) or name; without, all are listed");
+    std::vector<std::string> words;
+    for (const Code code : sorted_codes()) words.insert(words.end(), {std::string(entry(code).code), std::string(entry(code).name)});
+    command.option("CODE", options->code, "Its code (E0203) or name; without, all are listed").offer(words);
     command.flag("--json", options->json, "As JSON");
     command.callback([options, &exit] {
         explain(*options);

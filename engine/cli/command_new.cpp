@@ -88,10 +88,10 @@ void make_table(const Options& options) {
 void add_new(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("new", "Write a table to begin with, and its schema for text editors");
     const auto options = std::make_shared<Options>();
-    command.option("NAME", options->name, "Of the table's file; .yaml is added").required().check(why_no_name);
-    std::string keys;
-    for (const Starter& starter : starters()) keys.append(keys.empty() ? "" : ", ").append(starter.key);
-    command.option("--from", options->from, "Which to begin with: " + keys).show_default();
+    command.option("NAME", options->name, "Of the table's file; .yaml is added").required().check(why_no_name).offer(Offer::Kind::files);
+    std::vector<std::string> keys;
+    for (const Starter& starter : starters()) keys.emplace_back(starter.key);
+    command.option("--from", options->from, fmt::format("Which to begin with: {}", fmt::join(keys, ", "))).show_default().offer(keys);
     command.callback([options, &exit] {
         make_table(*options);
         exit = ExitCode::fine;

@@ -29,6 +29,13 @@ std::string events_markdown() {
     return out;
 }
 
+std::vector<std::string> node_keys() {
+    const Catalog catalog = built_in_catalog();
+    std::vector<std::string> keys;
+    for (const NodeType* type : referenced_types(catalog)) keys.emplace_back(type->key());
+    return keys;
+}
+
 void nodes(const Options& options) {
     const Catalog catalog = built_in_catalog();
     const std::vector<const NodeType*> types = referenced_types(catalog, options.key);
@@ -45,7 +52,7 @@ void nodes(const Options& options) {
 void add_nodes(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("nodes", "List every node with its fields, units, ranges, defaults and exactness");
     const auto options = std::make_shared<Options>();
-    command.option("KEY", options->key, "Only this node");
+    command.option("KEY", options->key, "Only this node").offer(node_keys());
     const Option json = command.flag("--json", options->json, "As JSON");
     command.flag("--markdown", options->markdown, "As Markdown").excludes(json);
     command.callback([options, &exit] {

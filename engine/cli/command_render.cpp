@@ -86,8 +86,8 @@ void render(const Options& options) {
 void add_render(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("render", "Draw a table into a PNG");
     const auto options = std::make_shared<Options>();
-    command.option("FILE", options->file, "Table file").required();
-    command.option("-o,--output", options->out, "Picture to write; - for stdout").required().check(why_no_output);
+    command.option("FILE", options->file, "Table file").required().offer(Offer::Kind::tables);
+    command.option("-o,--output", options->out, "Picture to write; - for stdout").required().check(why_no_output).offer(Offer::Kind::files);
     command.option("--size", options->size, "Pixels as WIDTHxHEIGHT; a pixel a millimetre when not given")
         .check([](const std::string& text) { return why_invalid_size(text); });
     command.option("--mode", options->mode, "shaded or isolines").one_of({"shaded", "isolines"}).show_default();

@@ -193,7 +193,7 @@ std::string why_invalid_seed(const std::string& text) {
 void add_simulate(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("simulate", "Play a table without a window");
     const auto options = std::make_shared<Options>();
-    command.option("FILE", options->file, "Table file").required();
+    command.option("FILE", options->file, "Table file").required().offer(Offer::Kind::tables);
     add_quantity(command, "--seconds", options->seconds, Unit::second, from(0), to(1e6), "How long, in the table's time (10)");
     const Option balls = command.option("--balls", options->balls, "Scatter this many balls that ignore each other, in place of the spawns")
                              .range(0, 1'000'000);
@@ -211,9 +211,11 @@ void add_simulate(const Command& app, ExitCode& exit) {
         .one_of({"symplectic_euler", "ballistic"});
     add_quantity(command, "--step", options->step, Unit::second, from(1e-6), to(0.1), "Length of a tick in place of the table's");
     command.flag("--audit", options->audit, "Check every stretch of path densely against the true distance");
-    command.option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV; - for stdout, the summary then on stderr").check(why_no_output);
-    command.option("--events", options->events, "Write what happens as JSON lines; likewise").check(why_no_output);
-    const Option inputs = command.option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release");
+    command.option("--trace", options->trace, "Write tick,ball,x,y,vx,vy,spin as CSV; - for stdout, the summary then on stderr")
+        .check(why_no_output)
+        .offer(Offer::Kind::files);
+    command.option("--events", options->events, "Write what happens as JSON lines; likewise").check(why_no_output).offer(Offer::Kind::files);
+    const Option inputs = command.option("--inputs", options->inputs, "CSV tick,input,value: a line per press or release").offer(Offer::Kind::files);
     command.flag("--demo", options->demo, "Press the table's inputs by turns, and drop a ball where it has no spawn").excludes(inputs);
     command.flag("--json", options->json, "Print the summary as JSON");
     command.flag("--no-sweep", options->no_sweep, "").hidden();  // for tests of the auditor: balls tunnel

@@ -76,7 +76,7 @@ ExitCode test(const Options& options) {
 void add_test(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("test", "Run a table's own tests");
     const auto options = std::make_shared<Options>();
-    command.option("FILE", options->file, "Table file").required();
+    command.option("FILE", options->file, "Table file").required().offer(Offer::Kind::tables);
     command.flag("--json", options->json, "Print the results as JSON");
     command.callback([options, &exit] { exit = test(*options); });
 }

@@ -28,6 +28,7 @@ void add_commands(const Command& app, ExitCode& exit) {
     add_expand(app, exit);
     add_test(app, exit);
     add_bench(app, exit);
+    add_completion(app, exit);
 }
 
 /// Help and version are answers (stdout, 0); every other complaint of the parser is a wrong command line.

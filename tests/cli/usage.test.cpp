@@ -5,7 +5,7 @@
 using namespace pinfield::cli_test;
 
 namespace {
-const std::vector<std::string> commands{"check", "explain", "new", "nodes", "schema", "eval", "simulate", "render", "format", "test", "bench"};
+const std::vector<std::string> commands{"check", "explain", "new", "nodes", "schema", "eval", "simulate", "render", "format", "test", "bench", "completion"};
 }
 
 TEST_CASE("help and version are answers") {
@@ -53,6 +53,8 @@ TEST_CASE("a wrong command line is exit 2, with words on stderr and nothing on s
                                   "nodes no_such_node",
                                   "explain E9999",
                                   "new",
+                                  "completion",
+                                  "completion fish",
                                   "new \"\"",
                                   "new /tmp/",
                                   "new x --from no_such_starter",
@@ -94,7 +96,7 @@ TEST_CASE("what cannot be written is exit 3, a full disk included") {
         }
     }
     for (const std::string& arguments :
-         std::vector<std::string>{"--help", "--version", "nodes", "nodes --json", "explain", "schema", "format " + first_table, "test " + first_table,
+         std::vector<std::string>{"--help", "--version", "nodes", "nodes --json", "explain", "completion bash", "schema", "format " + first_table, "test " + first_table,
                                   "eval " + first_table + " --points " + points, "simulate " + first_table + " --seconds 0.01",
                                   "check scenes/invalid/unknown_key.yaml"}) {
         INFO(arguments);
