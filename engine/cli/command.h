@@ -42,6 +42,7 @@ void add_render(const Command& app, ExitCode& exit);
 void add_format(const Command& app, ExitCode& exit);
 void add_expand(const Command& app, ExitCode& exit);
 void add_test(const Command& app, ExitCode& exit);
+void add_upgrade(const Command& app, ExitCode& exit);
 void add_bench(const Command& app, ExitCode& exit);
 void add_completion(const Command& app, ExitCode& exit);
 

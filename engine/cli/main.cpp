@@ -27,6 +27,7 @@ void add_commands(const Command& app, ExitCode& exit) {
     add_format(app, exit);
     add_expand(app, exit);
     add_test(app, exit);
+    add_upgrade(app, exit);
     add_bench(app, exit);
     add_completion(app, exit);
 }

@@ -5,7 +5,7 @@
 using namespace pinfield::cli_test;
 
 namespace {
-const std::vector<std::string> commands{"check", "explain", "new", "nodes", "schema", "eval", "simulate", "render", "format", "test", "bench", "completion"};
+const std::vector<std::string> commands{"check", "explain", "new", "nodes", "schema", "eval", "simulate", "render", "format", "test", "upgrade", "bench", "completion"};
 }
 
 TEST_CASE("help and version are answers") {
@@ -53,6 +53,7 @@ TEST_CASE("a wrong command line is exit 2, with words on stderr and nothing on s
                                   "nodes no_such_node",
                                   "explain E9999",
                                   "new",
+                                  "upgrade",
                                   "completion",
                                   "completion fish",
                                   "new \"\"",
@@ -72,7 +73,7 @@ TEST_CASE("a file that cannot be read is exit 3 and is named") {
     for (const std::string& arguments :
          std::vector<std::string>{"check no/such.yaml", "eval no/such.yaml --points p.csv", "eval " + first_table + " --points no/such.csv",
                                   "simulate no/such.yaml", "simulate " + first_table + " --inputs no/such.csv",
-                                  "render no/such.yaml -o x.png", "format no/such.yaml", "test no/such.yaml", "check scenes"}) {
+                                  "render no/such.yaml -o x.png", "format no/such.yaml", "test no/such.yaml", "upgrade no/such.yaml", "check scenes"}) {
         INFO(arguments);
         const Outcome outcome = run_pinfield(arguments);
         CHECK(outcome.exit == 3);

@@ -11,7 +11,7 @@ void read(ReadContext& context, Scene&, const YamlNode&, const YamlNode& value) 
     context.report(Code::unknown_version, value.span,
                    value.kind == YamlKind::scalar ? fmt::format("version {} of the format is not known", value.text)
                                                   : "the version of the format is due here",
-                   "this program reads version 1");
+                   "this program reads version 1; a table of a later one needs a later program");
 }
 
 }  // namespace
