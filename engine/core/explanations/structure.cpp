@@ -120,6 +120,19 @@ constexpr Explanation all[] = {
      "The expression can be understood, but comes to nothing here: a division by zero, a root of a negative number.",
      "- circle: {radius: 1cm / (2 - 2)}\n",
      "- circle: {radius: 1cm / 2}\n"},
+    {Code::cyclic_param,
+     "Each of these params is made of another, and in the end of itself, so that none has a value. Write one of them as a number.",
+     "pinfield: 1\nparams: {a: b / 2, b: 2 * a}\nscene: [circle: {radius: 1cm}]\n",
+     "pinfield: 1\nparams: {a: b / 2, b: 4cm}\nscene: [circle: {radius: a}]\n"},
+    {Code::cyclic_template,
+     "A template's nodes hold, in the end, the template itself: there would be no end to them.",
+     "pinfield: 1\ntemplates: {gear: {nodes: [use: {template: gear}]}}\nscene: [use: {template: gear}]\n",
+     "pinfield: 1\ntemplates: {gear: {nodes: [circle: {}]}}\nscene: [use: {template: gear}]\n"},
+    {Code::misplaced_copies,
+     "`use`, `copies` and `pair` make nodes of the scene or of a group. Inside shapes and operations, repeat, repeat_polar and mirror do the "
+     "same, as one shape.",
+     "- union: {children: [circle: {copies: {count: 3, step: [5cm, 0]}}]}\n",
+     "- union: {children: [repeat: {count: [3, 1], step: [5cm, 0], children: [circle: {radius: 1cm}]}]}\n"},
 };
 
 }  // namespace

@@ -109,6 +109,9 @@ constexpr Explanation all[] = {
      "An expression has more numbers, names and operations than are read. Calculate a part of it yourself and write the number. No few lines "
      "can show it.",
      "", ""},
+    {Code::too_many_params,
+     "There are more params, or arguments of one template, than are read. No few lines can show it.",
+     "", ""},
 };
 
 }  // namespace
