@@ -8,6 +8,7 @@
 
 #include "engine/core/at.h"
 #include "engine/io/files.h"
+#include "engine/io/param_patch.h"
 #include "engine/io/same_content.h"
 #include "engine/io/shared_patch.h"
 #include "engine/io/table_reader.h"
@@ -70,6 +71,7 @@ void Document::take(Reading reading, const Scene* ids_from) {
 }
 
 std::optional<std::string> Document::preview(const SetField& edit) {
+    if (param_preview_) cancel_preview();
     if (auto why = why_invalid(scene(), edit)) return why;
     if (!previewed_) previewed_ = std::make_shared<Scene>(reading_->scene);
     apply(*previewed_, edit);
@@ -81,13 +83,42 @@ std::optional<std::string> Document::preview(const SetField& edit) {
     return {};
 }
 
+std::optional<std::string> Document::preview_param(const std::string& name, double value) {
+    if (!param_preview_) cancel_preview();
+    Result<Scene> scene = scene_with_param(*reading_, name, value);
+    if (!scene) return scene.error().message;
+    const std::vector<SceneChange> made = changes_between(this->scene(), *scene);
+    changes_.insert(changes_.end(), made.begin(), made.end());
+    previewed_ = std::make_shared<Scene>(std::move(*scene));
+    param_preview_ = ParamPreview{name, value};
+    return {};
+}
+
+std::optional<std::string> Document::commit_param(const std::string& label) {
+    const ParamPreview param = *std::exchange(param_preview_, std::nullopt);
+    Result<PatchedText> patched = patch_param(*reading_, param.name, param.value);
+    if (!patched) {
+        cancel_preview();
+        return patched.error().message;
+    }
+    // The running table follows the preview already; what put() finds between the texts is for undo and redo.
+    put(std::move(patched->reading), label, false, true);
+    previewed_.reset();
+    return {};
+}
+
 void Document::cancel_preview() {
+    if (previewed_ && std::exchange(param_preview_, std::nullopt)) {
+        const std::vector<SceneChange> made = changes_between(*previewed_, reading_->scene);
+        changes_.insert(changes_.end(), made.begin(), made.end());
+    }
     previewed_.reset();
     for (const SetField& edit : std::exchange(preview_, {})) changes_.push_back({false, edit.node, edit.field});
 }
 
 std::optional<std::string> Document::commit(const std::string& label) {
     if (!previewing()) return {};
+    if (param_preview_) return commit_param(label);
     std::vector<Edit> edits;
     for (const SetField& edit : preview_)
         if (changes(reading_->scene, edit)) edits.emplace_back(edit);

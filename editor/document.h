@@ -63,6 +63,8 @@ public:
     /// Turns what is previewed into text patches and one undo step, for one reading of the text. `label` names the step ("Move pop"). When a patch is
     /// refused the preview is taken back and the reason returned. A preview that came back to where it began leaves no step.
     std::optional<std::string> commit(const std::string& label);
+    /// The same of a param's number (a slider in motion): the scene is as though the text said it. Other previews are taken back.
+    std::optional<std::string> preview_param(const std::string& name, double value);
     /// Takes the preview back (Esc during a drag).
     void cancel_preview();
     bool previewing() const { return previewed_ != nullptr; }
@@ -143,6 +145,7 @@ private:
     void follow_disk(Reading reading);
     void agree_with_disk();
     void note_shared(std::span<const Edit> edits, const std::string& label);
+    std::optional<std::string> commit_param(const std::string& label);
     void put(Reading reading, const std::string& label, bool whole, bool has_ids = false);
     Reading saved_reading() const;
     DiskState follow_dirty(std::string disk);
@@ -163,7 +166,13 @@ private:
     std::size_t saved_position_ = 0;  ///< where the text was the disk's; where the history has left that way, where it did
     std::size_t lost_steps_ = 0;      ///< between there and the disk's text
     std::optional<SharedEdit> shared_edit_;
+    /// A param and the value it is shown at.
+    struct ParamPreview {
+        std::string name;
+        double value = 0;
+    };
     std::vector<SetField> preview_;
+    std::optional<ParamPreview> param_preview_;
     std::shared_ptr<Scene> previewed_;  ///< the scene with what is previewed; null when nothing is
     std::vector<SceneChange> changes_;
 };

@@ -19,6 +19,7 @@ std::vector<SceneChange> changes_between(const Scene& before, const Scene& after
             if (!identical(at(node.fields, i).value, at(later.fields, i).value)) changes.push_back({false, id, i});
         node.fields = later.fields;
     }
+    adapted.params = after.params;  // nothing but fields is made of them
     if (!same_content(adapted, after)) return everything;
     if (changes.empty()) changes.push_back({false, after.table().id, 0});
     return changes;

@@ -209,6 +209,7 @@ void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
         if (nodes.size() == 1 && is_material(state.document.scene(), node.id)) users(state, ui, node);
         ImGui::PopID();
     }
+    param_rows(state, ui);
     ImGui::EndChild();
     ImGui::End();
 }

@@ -165,6 +165,7 @@ struct Ui {
     TransformDrag transform;
     Handles handles;
     HandleDrag handle_drag;
+    double param_before = 0;  ///< what the param was when its slider was taken
     Hit pressed;            ///< under the mouse when its button went down; becomes a drag once it moves
     Vec2 pressed_at{0, 0};  ///< world
     bool double_click = false;
@@ -246,6 +247,8 @@ void node_menu(AppState& state, Ui& ui);
 // Each draws its part of the window at a place, in screen pixels.
 float menu_bar(AppState& state, Ui& ui);  ///< returns its height
 void hierarchy_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
+/// The params of the table as sliders, below what is selected.
+void param_rows(AppState& state, Ui& ui);
 void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void history_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);
 void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size);

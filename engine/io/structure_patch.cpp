@@ -143,11 +143,6 @@ Result<void> rewrite(Rewriting& text, const Scene&, const InsertTest& edit) { re
 Result<void> rewrite(Rewriting& text, const Scene&, const RemoveTest& edit) { return remove_test(text, edit); }
 Result<void> rewrite(Rewriting& text, const Scene&, const RenameTest& edit) { return rename_test(text, edit); }
 
-const YamlNode* node_at(const YamlTree& tree, Span span) {
-    const auto found = std::find_if(tree.nodes.begin(), tree.nodes.end(), [&](const YamlNode& node) { return node.span == span; });
-    return found == tree.nodes.end() ? nullptr : &*found;
-}
-
 /// Everything that says a name, once each, in the order of the text.
 class NameSplices {
 public:
@@ -157,7 +152,10 @@ public:
     void field(const FieldType& type, const FieldSlot& slot) {
         const Value after = renamed(slot.value, edit_.from, edit_.to);
         const YamlNode* node = identical(after, slot.value) ? nullptr : node_at(text_.tree(), slot.where.span);
-        if (node) add(value_splice(text_.text(), type, *node, slot.value, after));
+        if (!node) return;
+        if (node->kind != YamlKind::sequence) return add(value_splice(text_.text(), type, *node, slot.value, after));
+        for (const YamlNode* item : node->items)  // a pair's list holds more names than each of the two has
+            if (item->kind == YamlKind::scalar && item->text == edit_.from) add({item->span, write_text(edit_.to, item->style)});
     }
     /// Within a scalar, where the name stands first.
     void within(const Place& where) {

@@ -377,6 +377,11 @@ const YamlNode* YamlNode::find(std::string_view wanted) const {
     return i < entries() ? &value(i).resolved() : nullptr;
 }
 
+const YamlNode* node_at(const YamlTree& tree, Span span) {
+    const auto found = std::find_if(tree.nodes.begin(), tree.nodes.end(), [&](const YamlNode& node) { return node.span == span; });
+    return found == tree.nodes.end() ? nullptr : &*found;
+}
+
 YamlTree read_yaml(const SourceText& source, const Limits& limits) {
     YamlTree tree;
     tree.diagnostics = check_text(source, limits);

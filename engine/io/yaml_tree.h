@@ -50,6 +50,9 @@ struct YamlTree {
     Diagnostics diagnostics;
 };
 
+/// The node of exactly these bytes; null: there is none.
+const YamlNode* node_at(const YamlTree& tree, Span span);
+
 /// What is said in place of the findings beyond Limits::errors.
 inline constexpr std::string_view more_errors_follow = "more errors follow; mend these first";
 

@@ -293,3 +293,49 @@ TEST_CASE("an edit of shared text is asked about: everywhere or here only, one s
     run(state, "edit.undo");
     CHECK(state.document.source().text() == text);
 }
+
+TEST_CASE("a slider shows its param while it is dragged, is one step when let go, and leaves no trace when taken back") {
+    const std::string text =
+        "pinfield: 1\n"
+        "params:\n"
+        "  gap: {value: 46mm, min: 40mm, max: 60mm}  # between lanes\n"
+        "  count: 3\n"
+        "scene:\n"
+        "  - circle: {id: a, radius: gap / 2}\n"
+        "  - circle: {id: b, radius: 1cm, copies: {count: count, step: [gap, 0]}}\n";
+    const Folder folder;
+    Document document = opened(folder, text);
+    INFO((document.diagnostics().empty() ? "" : document.diagnostics().front().message));
+    REQUIRE(document.diagnostics().empty());
+    const NodeId a = id_of(document, "a");
+    const auto radius = [&] { return document.scene().find("a")->get<double>("radius"); };
+    document.take_changes();
+    for (const double gap : {0.047, 0.05, 0.055}) {
+        REQUIRE_FALSE(document.preview_param("gap", gap));
+        CHECK(radius() == gap / 2);
+        CHECK(document.source().text() == text);
+        const std::vector<SceneChange> changes = document.take_changes();
+        CHECK(std::none_of(changes.begin(), changes.end(), [](const SceneChange& change) { return change.everything; }));
+        CHECK(std::any_of(changes.begin(), changes.end(), [&](const SceneChange& change) { return change.node == a; }));
+    }
+    CHECK(document.preview_param("gap", 0.07));  // more than it may be: it stays where it was
+    CHECK(radius() == 0.055 / 2);
+    document.cancel_preview();
+    CHECK(radius() == 0.046 / 2);
+    CHECK_FALSE(document.can_undo());
+
+    REQUIRE_FALSE(document.preview_param("gap", 0.0525));
+    REQUIRE_FALSE(document.commit("Change gap"));
+    CHECK(document.source().text() == std::string(text).replace(text.find("46mm"), 4, "52.5mm"));
+    CHECK(id_of(document, "a") == a);
+    REQUIRE_FALSE(document.preview_param("count", 5));  // more nodes: the running table is made anew
+    CHECK(document.scene().find("b.5"));
+    REQUIRE_FALSE(document.commit("Change count"));
+    document.undo();
+    CHECK_FALSE(document.scene().find("b.5"));
+    document.undo();
+    CHECK(document.source().text() == text);
+    CHECK(radius() == 0.046 / 2);
+    document.redo();
+    CHECK(radius() == 0.0525 / 2);
+}

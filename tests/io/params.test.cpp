@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <rapidcheck.h>
 
+#include "engine/io/param_patch.h"
 #include "engine/io/quantity.h"
 #include "engine/io/write_table.h"
 #include "tests/io/support.h"
@@ -143,4 +144,33 @@ TEST_CASE("a param that is set gives the table whose text says the value") {
             if (!node.name.empty()) RC_ASSERT(identical(set.scene.find(node.name)->value("radius"), node.value("radius")));
         }
     }));
+}
+
+TEST_CASE("a slider changes the param's number in its own unit and decimals, and not a byte more") {
+    const std::string text =
+        "pinfield: 1\n"
+        "params:  # what may be turned\n"
+        "  gap: {value: 46.0mm, min: 40mm, max: 60mm}   # lanes\n"
+        "  teeth: '9'\n"
+        "  twice: 2 * gap\n"
+        "scene:\n"
+        "  - circle: {id: a, radius: twice}\n"
+        "  - circle: {id: b, radius: 1cm, copies: {count: teeth, step: [gap, 0]}}\n";
+    const Reading now = read(text);
+    const auto set = [&](const std::string& name, double value) {
+        const auto patched = patch_param(now, name, value);
+        INFO((patched ? "" : patched.error().message));
+        REQUIRE(patched);
+        const Node& a = *patched->reading.scene.find("a");
+        CHECK(a.id == now.scene.find("a")->id);
+        return patched->reading.source().text();
+    };
+    const auto replaced = [&](std::string_view from, std::string_view to) { return std::string(text).replace(text.find(from), from.size(), to); };
+    CHECK(set("gap", 0.0475) == replaced("46.0mm", "47.5mm"));
+    CHECK(set("gap", 0.05) == replaced("46.0mm", "50.0mm"));
+    CHECK(set("teeth", 11) == replaced("'9'", "'11'"));
+    CHECK(patch_param(now, "gap", 0.061).error().message == "gap is at most 60mm");
+    CHECK(patch_param(now, "twice", 0.1).error().message.find("twice follows `2 * gap`") == 0);
+    CHECK(patch_param(now, "teeth", 2.5).error().message.find("line 8") == 0);
+    CHECK(patch_param(now, "tooth", 2).error().message == "no param is called tooth");
 }
