@@ -10,7 +10,7 @@ void add_completion(const Command& app, ExitCode& exit) {
     const Command command = app.subcommand("completion", "Print a script for a shell that completes commands: source <(pinfield completion bash)");
     const auto shell = std::make_shared<std::string>();
     command.option("SHELL", *shell, "bash").required().one_of({"bash"});
-    command.callback([app, &exit] {
+    command.callback([app, shell, &exit] {  // shell: kept for the parser to write to
         print(bash_completion(app.form()));
         exit = ExitCode::fine;
     });

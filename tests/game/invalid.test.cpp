@@ -28,6 +28,7 @@ const std::set<std::string> elsewhere{
     "E0102", "E0103", "E0106", "E0108",
     "E0109", "E0110", "E0111", "E0122",  // hostile.test.cpp and table_reader.test.cpp
     "E0123", "E0124",                    // tests/expression/expression.test.cpp
+    "E0125",                             // tests/io/params.test.cpp
     "W0503",                             // tests/program/distance_quality.test.cpp
     "W0510",                             // pockets.test.cpp
     "E0601",                             // script_reader.test.cpp
