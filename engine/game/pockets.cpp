@@ -51,6 +51,13 @@ public:
             return nearest(field, mover.pose.place_from_world(p), ground_layer, reach).distance < reach;
         });
     }
+    /// Does what it lies on kick whatever touches it, however softly?
+    bool is_kicked(const Vec2& p) const {
+        const Nearest n = ask(p);
+        if (n.solid < 0) return false;
+        const int part = at(program_.fixed.solids, n.solid).part;
+        return part >= 0 && kick_of(at(program_.parts, part), 0) > 0;
+    }
     NodeId node_at(const Vec2& p) const {
         const Nearest n = ask(p);
         if (n.solid < 0) return {};
@@ -80,7 +87,7 @@ Vec2 lifted(const Ground& ground, Vec2 p) {
     return p;
 }
 
-/// Where a ball that starts here without speed comes to lie; nothing where it is drained or played on its way, or does not end.
+/// Where a ball that starts here without speed comes to lie; nothing where it is drained, played or kicked, or does not end.
 std::optional<Vec2> settled(const Ground& ground, Vec2 p) {
     const double r = ground.radius();
     double step = longest_step * r;
@@ -100,6 +107,7 @@ std::optional<Vec2> settled(const Ground& ground, Vec2 p) {
             p = next;
             step = std::min(1.5 * step, longest_step * r);
         } else if ((step *= 0.5) < shortest_step * r) {
+            if (ground.is_kicked(p)) return {};
             return p;
         }
     }

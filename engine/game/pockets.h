@@ -15,8 +15,8 @@ struct Pocket {
 
 /// Local minima of height in the space that a ball's centre can reach from the table's spawns (from anywhere, where there are none), on the
 /// ground: found by rolling balls downhill, without friction and without speed, from wherever a grid of a third of their radius has
-/// nothing lower. Not those in a drain, nor those where a flipper or plunger comes, nor ripples: what a push by a tenth of the radius gets a ball
-/// out of. A level floor is one pocket.
+/// nothing lower. Not those in a drain, nor those where a flipper or plunger comes, nor those on a bumper with threshold 0, nor ripples: what a
+/// push by a tenth of the radius gets a ball out of. A level floor is one pocket.
 std::vector<Pocket> pockets_of(const Program& program);
 
 /// Each of them, as a warning at the node it lies on.

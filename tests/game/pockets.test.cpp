@@ -62,6 +62,15 @@ TEST_CASE("a cup, a level shelf and a floor hold balls, a tilted shelf and a dom
     CHECK(pockets_in(pit + "  - box: {size: [0.1, 0.02], at: [0.05, 0.3], turn: 20}\n").size() == 1);  // against the wall
 }
 
+TEST_CASE("a bumper that kicks at every touch keeps no ball, one that waits for a hit does") {
+    const auto cup = [](const std::string& fields) {
+        return pit + "  - bumper: {" + fields + ", children: [arc: {radius: 60mm, from: 200, to: 340, thickness: 8mm, at: [0.25, 0.3]}]}\n";
+    };
+    CHECK(pockets_in(cup("threshold: 0")).empty());
+    CHECK(pockets_in(cup("threshold: 0.05")).size() == 1);
+    CHECK(pockets_in(cup("threshold: 0, kick: 0")).size() == 1);
+}
+
 TEST_CASE("what a flipper reaches, what no ball reaches, and what lies on a level table are no pockets") {
     const std::string bowl = "  - arc: {radius: 60mm, from: 180, to: 360, thickness: 8mm, at: [0.25, 0.3]}\n";
     CHECK(pockets_in(pit + bowl).size() == 1);
