@@ -9,10 +9,11 @@ using namespace pinfield::test;
 
 namespace {
 
-/// The scene as if only what differs from its default had been given.
+/// The scene as if only what differs from its default had been given. Items that make nodes are written as their author has them.
 Scene without_defaults(Scene scene) {
     for (const NodeId id : scene.all()) {
         Node& node = *scene.find(id);
+        if (node.origin || node.generator) continue;
         for (std::size_t i = 0; i < node.fields.size(); ++i)
             node.fields[i].is_explicit =
                 node.type->fields[i].meta.required || !identical(node.fields[i].value, node.type->fields[i].initial);
@@ -39,7 +40,7 @@ TEST_CASE("scenes after random edits survive the canonical form") {
     for (const auto& [name, text] : good_tables()) {
         Scene scene = read(text).scene;
         for (int i = 0; i < 100; ++i)
-            if (const auto edit = some_edit(scene, rng)) apply(scene, *edit);
+            if (const auto edit = some_edit(scene, rng); edit && !scene.find(edit->node)->generator) apply(scene, *edit);  // see without_defaults
         scene.tests.clear();  // they may expect something of a node that has another id now
         const std::string canonical = write_table(scene);
         const Reading again = read(canonical);

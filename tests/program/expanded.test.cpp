@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "engine/core/rng.h"
 #include "engine/io/load_table.h"
 #include "engine/io/write_table.h"
+#include "engine/program/evaluate.h"
 #include "tests/places.h"
 #include "tests/program/same_program.h"
 #include "tests/program/tables.h"
@@ -125,4 +127,18 @@ TEST_CASE("every shipped table compiles into the program of its expanded text") 
         ++tables;
     }
     CHECK(tables >= 2);
+}
+
+TEST_CASE("Moonrise said once has the solids of Moonrise, and is its expanded twin bit for bit") {
+    const auto table = [](const char* path) { return load_table((std::filesystem::path(source_dir()) / path).string(), catalog())->scene; };
+    const Scene once = table("tests/program/moonrise_once.yaml"), moonrise = table("scenes/tables/first_table.yaml");
+    CHECK(difference(with_plain_names(once), *compiled(read_scene(write_table(expanded(once))))).empty());
+
+    const ProgramPtr a = compiled(once), b = compiled(moonrise);
+    CounterRng rng(20);
+    for (int i = 0; i < 20000; ++i) {
+        const Vec2 p(rng.in(0, 0.52), rng.in(0, 1.06));
+        INFO(p.x() << ", " << p.y());
+        CHECK(nearest(a->fixed, p, ground_layer, 1).distance == Approx(nearest(b->fixed, p, ground_layer, 1).distance).margin(1e-12));
+    }
 }
