@@ -8,4 +8,7 @@ namespace pinfield {
 /// and in the tests. It compiles into the same program. Where a node came from stays known (Node::origin).
 Scene expanded(Scene scene);
 
+/// The same of one node and what is in it; the rest of the table stays as it is, params and templates with it.
+Scene expanded(Scene scene, NodeId node);
+
 }  // namespace pinfield
