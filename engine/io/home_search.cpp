@@ -73,6 +73,7 @@ public:
           said_(is_), literal_(is_.size(), !slot().where) {
         const YamlNode* value = slot().where ? node_at(*now.tree, slot().where.span) : nullptr;
         if (value) read_text(*value);
+        else said_ = numbers_of(at(node_.type->fields, edit.field).initial);
         slot().value = value_of(said_, edit.value);  // what the text says, so that what does not change keeps its bytes
     }
 

@@ -162,6 +162,7 @@ Result<PatchedText> patch_own(const Reading& now, const SetField& edit, const Li
 bool stands_elsewhere(const Scene& scene, const SetField& edit) {
     const Node* node = scene.find(edit.node);
     if (!node || edit.field < 0 || edit.field >= static_cast<int>(node->fields.size())) return false;
+    if (node->generator && !node->generator->is_group) return false;  // a row has no values: its copies have
     return node->origin || at(node->fields, edit.field).written;
 }
 
