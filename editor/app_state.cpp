@@ -51,6 +51,7 @@ void replace_document(AppState& state, Document document) {
     state.merge.reset();
     state.merge_put_off.clear();
     state.shared.reset();
+    state.home.reset();
     run(state, "view.all");
 }
 
@@ -248,7 +249,7 @@ constexpr Handler handlers[] = {
 
 const Handler& handler_of(std::string_view action) {
     for (const std::span<const Handler> list : {std::span<const Handler>(handlers), edit_handlers(), arrange_handlers(), merge_handlers(),
-                                                preference_handlers(), underlay_handlers()})
+                                                preference_handlers(), underlay_handlers(), home_handlers()})
         for (const Handler& handler : list)
             if (handler.action == action) return handler;
     assert(false && "every action of the table has a handler");
@@ -264,6 +265,7 @@ bool blocked(const AppState& state, std::string_view action) {
     if (state.prompt) return !action.starts_with("prompt.");
     if (has_dialog(state)) return !action.starts_with("dialog.");
     if (state.shared) return !action.starts_with("shared.");
+    if (state.home) return !action.starts_with("home.");
     if (state.merge) return !action.starts_with("merge.");
     if (state.choosing) return !action.starts_with("new.");
     // Closing the window puts the offer off; the window frames its table, whatever it asks.
@@ -280,7 +282,7 @@ AppState::AppState(std::shared_ptr<const Catalog> catalog_, Document document_)
 }
 
 bool asks(const AppState& state) {
-    return state.prompt || state.recovery || state.merge || state.shared || has_dialog(state) || state.choosing || state.show_lists ||
+    return state.prompt || state.recovery || state.merge || state.shared || state.home || has_dialog(state) || state.choosing || state.show_lists ||
            state.show_help || state.show_preferences || state.show_command_palette;
 }
 
@@ -378,6 +380,7 @@ void wrap_selection(AppState& state, const NodeType& type) {
 void advance(AppState& state, int ticks) {
     keep_safe(state);  // first of all: whatever comes of the edit, it is not lost
     if (auto shared = state.document.take_shared_edit(); shared && !asks(state)) state.shared = std::move(shared);
+    ask_for_home(state);
     state.session.follow(state.document);
     tell_of_moved_balls(state);
     if (state.occasion.text != text_of(state) && !state.message.empty()) say(state, {});

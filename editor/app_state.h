@@ -92,6 +92,7 @@ struct AppState {
     std::optional<MergeQuestion> merge{};  ///< until merge.accept, merge.mine, merge.theirs or merge.later
     std::string merge_put_off{};         ///< the file's text that is not asked about again
     std::optional<SharedEdit> shared{};  ///< until shared.everywhere, shared.here or shared.cancel
+    std::optional<HomeQuestion> home{};  ///< until home.1 ... home.6 or home.cancel
     bool show_lists = false;             ///< the table's inputs and tests are listed, to be added, renamed and taken out
     bool asks_elsewhere = false;         ///< the path is asked for by another program's window
     std::optional<WorkKeeper> keeper;    ///< none: unsaved work is neither kept nor offered (scripts, tests)

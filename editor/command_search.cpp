@@ -14,7 +14,7 @@ constexpr int in_detail = -12, across_both = -6;  ///< titles are what people re
 /// It goes with a question that is open.
 bool is_answer(std::string_view action) {
     if (action == "merge.ask") return false;
-    for (const std::string_view question : {"merge.", "shared."})
+    for (const std::string_view question : {"merge.", "shared.", "home."})
         if (action.starts_with(question)) return true;
     return action.starts_with("prompt.") || action.starts_with("dialog.") || action.starts_with("recover.") || action.ends_with(".cancel") ||
            action.ends_with(".close");

@@ -72,6 +72,7 @@ void Document::take(Reading reading, const Scene* ids_from) {
 
 std::optional<std::string> Document::preview(const SetField& edit) {
     if (param_preview_) cancel_preview();
+    if (home_preview_ || stands_elsewhere(reading_->scene, edit)) return preview_home(edit);
     if (auto why = why_invalid(scene(), edit)) return why;
     if (!previewed_) previewed_ = std::make_shared<Scene>(reading_->scene);
     apply(*previewed_, edit);
@@ -87,11 +88,16 @@ std::optional<std::string> Document::preview_param(const std::string& name, doub
     if (!param_preview_) cancel_preview();
     Result<Scene> scene = scene_with_param(*reading_, name, value);
     if (!scene) return scene.error().message;
-    const std::vector<SceneChange> made = changes_between(this->scene(), *scene);
-    changes_.insert(changes_.end(), made.begin(), made.end());
-    previewed_ = std::make_shared<Scene>(std::move(*scene));
+    show_instead(std::move(*scene));
     param_preview_ = ParamPreview{name, value};
     return {};
+}
+
+/// Shows a scene in place of the one that is shown now; the running table follows.
+void Document::show_instead(Scene scene) {
+    const std::vector<SceneChange> made = changes_between(this->scene(), scene);
+    changes_.insert(changes_.end(), made.begin(), made.end());
+    previewed_ = std::make_shared<Scene>(std::move(scene));
 }
 
 std::optional<std::string> Document::commit_param(const std::string& label) {
@@ -108,10 +114,10 @@ std::optional<std::string> Document::commit_param(const std::string& label) {
 }
 
 void Document::cancel_preview() {
-    if (previewed_ && std::exchange(param_preview_, std::nullopt)) {
-        const std::vector<SceneChange> made = changes_between(*previewed_, reading_->scene);
-        changes_.insert(changes_.end(), made.begin(), made.end());
-    }
+    const bool whole = param_preview_ || home_preview_;
+    if (previewed_ && whole) show_instead(reading_->scene);
+    param_preview_.reset();
+    home_preview_.reset();
     previewed_.reset();
     for (const SetField& edit : std::exchange(preview_, {})) changes_.push_back({false, edit.node, edit.field});
 }
@@ -119,6 +125,12 @@ void Document::cancel_preview() {
 std::optional<std::string> Document::commit(const std::string& label) {
     if (!previewing()) return {};
     if (param_preview_) return commit_param(label);
+    if (home_preview_) {
+        put(*std::exchange(home_preview_, std::nullopt), label, false, true);
+        previewed_.reset();
+        preview_.clear();
+        return {};
+    }
     std::vector<Edit> edits;
     for (const SetField& edit : preview_)
         if (changes(reading_->scene, edit)) edits.emplace_back(edit);

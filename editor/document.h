@@ -12,6 +12,7 @@
 #include "engine/core/result.h"
 #include "engine/io/merge_text.h"
 #include "engine/io/table_reader.h"
+#include "engine/io/value_home.h"
 #include "engine/scene/edit.h"
 
 namespace pinfield::editor {
@@ -36,6 +37,12 @@ struct SharedEdit {
 };
 enum class SharedAnswer : unsigned char { everywhere, here };
 
+/// A field whose value does not stand at its node was to be set, and nobody has said yet where such values go.
+struct HomeQuestion {
+    SetField edit;
+    std::vector<ValueHome> homes;  ///< where it may be
+};
+
 class Document {
 public:
     /// A new, unsaved table from a starter text.
@@ -58,8 +65,11 @@ public:
     std::size_t unsaved_steps() const;
 
     /// Shows an edit without writing it: the scene changes, the text does not (a drag in progress). Several previews of one
-    /// field replace each other; several fields may be previewed together. Why not, or nothing.
+    /// field replace each other; several fields may be previewed together. A value that stands elsewhere is changed there, where that is known
+    /// (edit_home()). Why not, or nothing.
     std::optional<std::string> preview(const SetField& edit);
+    /// Why preview() would refuse it, as far as its field and node say.
+    std::optional<std::string> why_not(const SetField& edit) const;
     /// Turns what is previewed into text patches and one undo step, for one reading of the text. `label` names the step ("Move pop"). When a patch is
     /// refused the preview is taken back and the reason returned. A preview that came back to where it began leaves no step.
     std::optional<std::string> commit(const std::string& label);
@@ -77,6 +87,15 @@ public:
     /// Does it all the same: at the anchor, for all places; or here alone, where what is shared is written out. As one step. Why not, or
     /// nothing.
     std::optional<std::string> edit_shared(const SharedEdit& edit, SharedAnswer answer);
+    /// What was refused last because nobody knows where to write it, once.
+    std::optional<HomeQuestion> take_home_question();
+    /// Writes it there, as one step. Params, arguments and lines of templates are remembered: what may go there goes there from now on, without
+    /// a question. Why not, or nothing.
+    std::optional<std::string> edit_home(const SetField& edit, const ValueHome& home, const std::string& label);
+    bool remembers_homes() const { return !homes_.empty(); }
+    void forget_homes() { homes_.clear(); }
+    /// Writes out what made the node, as one step. Why not, or nothing.
+    std::optional<std::string> write_out(NodeId node, const std::string& label);
     /// A text as though it were this document's.
     Reading read(std::string text) const;
     /// Takes what read() gave in place of the text, as one step; it must be ok(). False, and no step, where the text is the same.
@@ -146,6 +165,10 @@ private:
     void agree_with_disk();
     void note_shared(std::span<const Edit> edits, const std::string& label);
     std::optional<std::string> commit_param(const std::string& label);
+    std::optional<std::string> preview_home(const SetField& edit);
+    std::optional<ValueHome> known_home(const std::vector<ValueHome>& homes) const;
+    Result<Reading> with_previews(const std::vector<SetField>& edits) const;
+    void show_instead(Scene scene);
     void put(Reading reading, const std::string& label, bool whole, bool has_ids = false);
     Reading saved_reading() const;
     DiskState follow_dirty(std::string disk);
@@ -173,6 +196,9 @@ private:
     };
     std::vector<SetField> preview_;
     std::optional<ParamPreview> param_preview_;
+    std::optional<Reading> home_preview_;  ///< of the text that says what is previewed, where some of it stands elsewhere
+    std::vector<ValueHome> homes_;         ///< that were chosen, the last one last
+    std::optional<HomeQuestion> home_question_;
     std::shared_ptr<Scene> previewed_;  ///< the scene with what is previewed; null when nothing is
     std::vector<SceneChange> changes_;
 };

@@ -25,6 +25,10 @@ std::span<const Handler> arrange_handlers();
 std::span<const Handler> merge_handlers();
 /// How the editor looks and works, and what it shows: preference_actions.cpp.
 std::span<const Handler> preference_handlers();
+/// Values that stand elsewhere in the text: home_actions.cpp.
+std::span<const Handler> home_handlers();
+/// Asks where to write what was refused for that alone, unless something else is asked.
+void ask_for_home(AppState& state);
 /// The picture beneath the table: underlay_actions.cpp.
 std::span<const Handler> underlay_handlers();
 

@@ -8,6 +8,7 @@
 #include "engine/program/pose.h"
 #include "engine/program/tree.h"
 #include "engine/scene/edit.h"
+#include "engine/scene/expanded.h"
 
 namespace pinfield::editor {
 namespace {
@@ -26,6 +27,7 @@ Scene table_for_one(const Scene& scene, NodeId node) {
     for (const NodeId material : scene.materials())
         alone.put(alone.with_new_ids(scene.copy(material)), {}, static_cast<int>(alone.materials().size()));
     alone.put(alone.with_new_ids(scene.copy(node)), {}, 0);
+    alone = expanded(std::move(alone));  // its numbers are tried, wherever they are written
     Node& root = *alone.find(alone.roots().front());
     for (const std::string_view key : {"at", "turn", "scale", "flip"}) reset(root, key);
     return alone;

@@ -18,8 +18,10 @@ std::vector<SceneChange> changes_between(const Scene& before, const Scene& after
         for (int i = 0; i < static_cast<int>(node.fields.size()); ++i)
             if (!identical(at(node.fields, i).value, at(later.fields, i).value)) changes.push_back({false, id, i});
         node.fields = later.fields;
+        node.generator = later.generator;
     }
-    adapted.params = after.params;  // nothing but fields is made of them
+    adapted.params = after.params;  // nothing but nodes is made of them
+    adapted.templates = after.templates;
     if (!same_content(adapted, after)) return everything;
     if (changes.empty()) changes.push_back({false, after.table().id, 0});
     return changes;

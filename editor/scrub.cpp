@@ -37,7 +37,7 @@ void Scrub::update(Document& document, double pixels, bool fine, bool coarse) {
         SetField edit{held.of.node, held.of.field, held.before, true};
         const auto allowed = [&](double x) {
             edit.value = with_component(held.before, component_, x);
-            return !why_invalid(document.scene(), edit);
+            return !document.why_not(edit);
         };
         edit.value = with_component(held.before, component_, nearest_allowed(allowed, from, target, step));
         document.preview(edit);

@@ -104,6 +104,14 @@ void label_menu(const Row& row) {
     if (ImGui::MenuItem("Paste the value", nullptr, false, copied && *copied)) row.change(set_all_from_text, std::string_view(copied));
 }
 
+/// "bloom * 2", or "bloom * 2 and gap" of a point; empty where plain values stand.
+std::string expression_of(const Row& row) {
+    const FieldSlot& slot = at(row.node.fields, row.index());
+    std::string out;
+    for (const WrittenPart& part : slot.written ? *slot.written : WrittenParts{}) out += (out.empty() ? "" : " and ") + part.text;
+    return out;
+}
+
 }  // namespace
 
 Shown shown(double value, Unit unit) {
@@ -130,12 +138,19 @@ void field_row(AppState& state, Ui& ui, const Node& node, const SharedField& fie
     std::string doc(row.field().meta.doc);
     const bool is_explicit = row.is_explicit();
     doc += is_explicit ? "\nRight-click to take it out of the file, or to copy it." : "\nNot in the file: this is the default.";
+    const std::string expression = expression_of(row);
+    if (!expression.empty()) doc += "\nIn the file it is " + expression + ".";
     tooltip(theme, doc);
     if (ImGui::BeginPopupContextItem("label menu")) {
         label_menu(row);
         ImGui::EndPopup();
     }
-    const std::string label = fitted(label_of(row.field().key), label_width - theme.px(8));
+    const float badge = expression.empty() ? 0 : theme.px(20);
+    if (badge > 0)
+        ImGui::GetWindowDrawList()->AddText(theme.small, theme.small->FontSize,
+                                            {place.x + label_width - theme.px(6) - badge, place.y + 0.5f * (ImGui::GetFrameHeight() - theme.small->FontSize)},
+                                            ink(palette::accent), "fx");
+    const std::string label = fitted(label_of(row.field().key), label_width - theme.px(8) - badge);
     ImGui::GetWindowDrawList()->AddText({place.x, place.y + 0.5f * (ImGui::GetFrameHeight() - ImGui::GetFontSize())},
                                         ink(is_explicit ? palette::text : palette::quiet), label.c_str());
     ImGui::SetCursorScreenPos({place.x + label_width, place.y});

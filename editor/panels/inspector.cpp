@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -93,6 +95,12 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
     if (node.where)
         text_in(theme.small, palette::quiet, "line " + std::to_string(state.document.scene().sources.line_column(node.where).line));
     else text_in(theme.small, palette::quiet, "not in the file yet");
+    if (node.origin) {
+        const std::string made = fmt::format("made by {}, asked for in line {}", node.origin->what,
+                                             state.document.scene().sources.line_column(node.origin->where).line);
+        text_in(theme.small, palette::quiet, fitted(made, ImGui::GetContentRegionAvail().x));
+        tooltip(theme, "What is changed here is changed where it comes from: the editor asks where. Edit > Write out gives it lines of its own.");
+    }
     ImGui::PushTextWrapPos(0);
     text_in(theme.body, palette::quiet, node.type->meta.doc);
     ImGui::PopTextWrapPos();

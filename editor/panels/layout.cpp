@@ -123,6 +123,7 @@ void dialogs(AppState& state, Ui& ui) {
     recovery_dialog(state, ui);
     merge_dialog(state, ui);
     shared_dialog(state, ui);
+    home_dialog(state, ui);
     lists_dialog(state, ui);
     shortcut_sheet(state, ui);
     preferences_dialog(state, ui);

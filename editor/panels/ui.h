@@ -262,6 +262,7 @@ void prompt_dialog(AppState& state, Ui& ui);
 void recovery_dialog(AppState& state, Ui& ui);
 void merge_dialog(AppState& state, Ui& ui);
 void shared_dialog(AppState& state, Ui& ui);
+void home_dialog(AppState& state, Ui& ui);
 void lists_dialog(AppState& state, Ui& ui);
 void starter_dialog(AppState& state, Ui& ui);
 void command_palette(AppState& state, Ui& ui);
