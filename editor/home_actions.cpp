@@ -47,6 +47,7 @@ void ask_for_home(AppState& state) {
     std::vector<ValueHome>& homes = question->homes;
     if (homes.size() > most_homes) homes.erase(homes.begin() + static_cast<std::ptrdiff_t>(most_homes) - 2, homes.end() - 2);
     state.home = std::move(question);
+    say(state, {});  // the question says it
 }
 
 std::span<const Handler> home_handlers() {

@@ -73,9 +73,9 @@ void param_rows(AppState& state, Ui& ui) {
     const std::vector<Param> params = state.document.scene().params;  // a slider in motion makes another scene
     if (params.empty()) return;
     section(ui.theme, "Params");
-    for (std::size_t i = 0; i < params.size(); ++i) {
-        ImGui::PushID(params[i].name.c_str());
-        param_row(state, ui, params[i]);
+    for (const Param& param : params) {
+        ImGui::PushID(param.name.c_str());
+        param_row(state, ui, param);
         ImGui::PopID();
     }
 }

@@ -50,7 +50,7 @@ std::vector<Note> notes_of(const Program& program, const Scene& scene) {
         if (quality == qualities.end() || id == scene.table().id) continue;
         const Node& node = *scene.find(id);
         int depth = 0;
-        for (NodeId above = node.parent; above && qualities.count(above) > 0; above = scene.find(above)->parent) ++depth;
+        for (NodeId above = node.parent; above && qualities.contains(above); above = scene.find(above)->parent) ++depth;
         notes.push_back({node.key, paths.at(id), depth, quality->second});
     }
     return notes;

@@ -48,8 +48,8 @@ std::string wrapped(std::string_view text) {
     std::string out;
     while (text.size() > width) {
         std::size_t end = text.rfind(' ', width);
-        if (end == text.npos) end = text.find(' ');
-        if (end == text.npos) break;
+        if (end == std::string_view::npos) end = text.find(' ');
+        if (end == std::string_view::npos) break;
         out.append(text.substr(0, end)).append("\n");
         text.remove_prefix(end + 1);
     }
@@ -100,6 +100,7 @@ void explain(const Options& options) {
     const std::vector<Code> codes = options.code.empty() ? sorted_codes() : std::vector<Code>{code_called(options.code)};
     if (options.json) {
         std::vector<std::string> objects;
+        objects.reserve(codes.size());
         for (const Code code : codes) objects.push_back(json_of(code));
         return print(json_array(objects) + "\n");
     }

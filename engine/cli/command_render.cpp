@@ -31,8 +31,8 @@ struct Size {
 /// "520x1060" as two numbers of pixels; anything else is wrong usage.
 std::string why_invalid_size(const std::string& text, Size* size = nullptr) {
     const std::size_t x = text.find('x');
-    const auto width = x == text.npos ? std::nullopt : parse_number(text.substr(0, x));
-    const auto height = x == text.npos ? std::nullopt : parse_number(text.substr(x + 1));
+    const auto width = x == std::string::npos ? std::nullopt : parse_number(text.substr(0, x));
+    const auto height = x == std::string::npos ? std::nullopt : parse_number(text.substr(x + 1));
     const auto fits = [](const std::optional<double>& n) { return n && *n >= 1 && *n <= most_pixels_a_side && *n == static_cast<int>(*n); };
     if (!fits(width) || !fits(height))
         return fmt::format("\"{}\" is no size: WIDTHxHEIGHT in pixels, at most {} each", text, most_pixels_a_side);

@@ -170,7 +170,7 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     if (!type) {
         const std::string_view other = other_word_for_node(key.text);
         std::vector<std::string_view> words = node_words(context.catalog);
-        words.push_back("use");
+        words.emplace_back("use");
         return context.report(Code::unknown_node, key.span, fmt::format("no node is called {}", key.text),
                               other.empty() ? suggestion(key.text, words) : std::string(other));
     }

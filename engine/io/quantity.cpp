@@ -91,7 +91,7 @@ Dimension dimension_of(Unit unit) {
 Unit unit_of(const Dimension& dimension) {
     constexpr std::array units{Unit::metre,  Unit::degree, Unit::second, Unit::kilogram, Unit::metre_per_second, Unit::metre_per_second2,
                                Unit::degree_per_second, Unit::degree_per_second2, Unit::seconds_per_metre};
-    const auto found = std::find_if(units.begin(), units.end(), [&](Unit unit) { return dimension_of(unit) == dimension; });
+    const auto* const found = std::find_if(units.begin(), units.end(), [&](Unit unit) { return dimension_of(unit) == dimension; });
     return found == units.end() ? Unit::none : *found;
 }
 
@@ -146,7 +146,7 @@ namespace {
 std::string shifted_text(double value, int power) {
     if (power == 0 || value == 0) return to_text(value);
     char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
+    const char* const end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific).ptr;
     const std::string_view text(buffer, static_cast<std::size_t>(end - buffer));
     const std::size_t e = text.find('e');
     std::string_view written = text.substr(e + 1);

@@ -70,13 +70,13 @@ Result<void> insert_into_map(Rewriting& text, std::string_view key, int index, c
     if (!*section) {
         const std::size_t at = index_of_new_section(root, key);
         if (!block) return text.write({insert_entry(text.text(), root, at, fmt::format("{}: {{{}}}", key, entry))});
-        return text.write({new_lines(text.text(), root, at, fmt::format("{}:{}  {}", key, brk, entry))});
+        return text.write({new_lines(text.text(), root, at, fmt::format("{}:{}{}", key, brk, indented_lines(entry, 2)))});
     }
     const YamlNode& map = **section;
     if (map.kind == YamlKind::map && map.entries() > 0)
         return text.write({insert_entry(text.text(), map, static_cast<std::size_t>(index), entry)});
     if (block)
-        if (auto splices = first_lines(text.text(), root.key(root.entry_of(key)), map, "  " + entry))
+        if (auto splices = first_lines(text.text(), root.key(root.entry_of(key)), map, indented_lines(entry, 2)))
             return text.write(std::move(*splices));
     if (map.is_empty()) return text.write({insert_body(text.text(), map, entry)});
     return text.write({insert_entry(text.text(), map, 0, entry)});
@@ -106,6 +106,16 @@ Result<const YamlNode*> test_at(const Rewriting& text, int index) {
 Result<void> insert_material(Rewriting& text, const Node& material, int index) {
     return insert_into_map(text, "materials", index,
                            fmt::format("{}: {}", material.name, flow_map(explicit_entries(material, text.style(nullptr)))));
+}
+
+Result<void> insert_param(Rewriting& text, int index, const std::string& entry) { return insert_into_map(text, "params", index, entry); }
+
+Result<void> insert_template(Rewriting& text, const std::string& lines) {
+    const auto section = section_of(text, "templates");
+    if (!section) return tl::unexpected(section.error());
+    const bool lines_of_its_own = text.root().style == YamlStyle::block && (!*section || (*section)->style != YamlStyle::flow);
+    if (!lines_of_its_own) return failure("the templates stand in one line; give them lines of their own first");
+    return insert_into_map(text, "templates", *section ? static_cast<int>((*section)->entries()) : 0, lines);
 }
 
 Result<void> insert_input(Rewriting& text, const InsertInput& edit) {

@@ -9,6 +9,11 @@ namespace pinfield {
 
 Result<void> insert_material(Rewriting& text, const Node& material, int index);
 
+/// "gap: 46mm".
+Result<void> insert_param(Rewriting& text, int index, const std::string& entry);
+/// "gear:" and the lines below it, behind those that there are.
+Result<void> insert_template(Rewriting& text, const std::string& lines);
+
 Result<void> insert_input(Rewriting& text, const InsertInput& edit);
 Result<void> remove_input(Rewriting& text, const RemoveInput& edit);
 Result<void> set_keys(Rewriting& text, const Scene& scene, const SetKeys& edit);

@@ -21,7 +21,7 @@ constexpr std::array<const Section*, 11> all{&version,   &table, &physics, &para
 std::span<const Section* const> all_sections() { return sections::all; }
 
 const Section* find_section(std::string_view key) {
-    const auto found = std::find_if(sections::all.begin(), sections::all.end(), [&](const Section* s) { return s->key == key; });
+    const auto* const found = std::find_if(sections::all.begin(), sections::all.end(), [&](const Section* s) { return s->key == key; });
     return found == sections::all.end() ? nullptr : *found;
 }
 

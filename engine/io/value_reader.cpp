@@ -174,7 +174,7 @@ std::optional<std::string> read_color(ReadContext& context, const FieldType& fie
     const std::optional<std::string> text = read_text(context, node);
     if (!text || parse_color(*text)) return text;
     const bool hex = (text->size() == 3 || text->size() == 6) && text->find_first_not_of("0123456789abcdefABCDEF") == std::string::npos;
-    std::string hint = "a CSS name, or a quoted \"#rgb\" or \"#rrggbb\"";
+    std::string hint = R"(a CSS name, or a quoted "#rgb" or "#rrggbb")";
     if (hex)
         hint = fmt::format("write \"#{}\", with the quotes", *text);
     else if (const auto close = closest_match(*text, color_names()))

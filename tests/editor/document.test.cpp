@@ -4,7 +4,6 @@
 
 #include "editor/edit_tools.h"
 #include "engine/io/same_content.h"
-#include "engine/io/same_content.h"
 #include "tests/editor/support.h"
 
 using namespace pinfield;

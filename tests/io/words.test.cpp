@@ -69,7 +69,7 @@ TEST_CASE("a part's field of its customary shape does nothing beside children, a
         const std::string value = std::string(field) == "size" ? "[1cm, 1cm]" : "1cm";
         const std::string body = std::string(part) + ": {" + field + ": " + value;
         INFO(body);
-        CHECK(told_of(body + "}") == "");
+        CHECK(told_of(body + "}").empty());
         CHECK(told_of(body + ", children: [circle: {}]}") ==
               "W0504: " + std::string(field) + " does nothing beside children: they are the shape of the " + part + ": ");
     }

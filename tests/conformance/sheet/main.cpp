@@ -93,7 +93,7 @@ bool is_fresh(const std::shared_ptr<const Catalog>& catalog, const std::string& 
     }
     for (const auto& file : fs::directory_iterator(folder)) {
         const fs::path name = file.path().filename(), page = fs::path(name).replace_extension(".md");
-        if (files.count(name.string()) || (name.extension() == ".png" && files.count(page.string()))) continue;
+        if (files.contains(name.string()) || (name.extension() == ".png" && files.contains(page.string()))) continue;
         fmt::print("{} belongs to no node\n", file.path().string());
         stale.insert(name.string());
     }
