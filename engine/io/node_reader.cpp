@@ -63,7 +63,7 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
         count && field.meta.meaning == Meaning::count && *count > static_cast<std::int64_t>(context.limits.repeats))
         return context.report(Code::too_many_repeats, value.span, fmt::format("more than {} copies", context.limits.repeats));
     FieldSlot& slot = at(node.fields, index);
-    slot = {std::move(*read), true, context.source.place(value.span)};
+    slot = {std::move(*read), true, context.source().place(value.span)};
     if (!context.written.empty()) slot.written = std::make_shared<const WrittenParts>(std::exchange(context.written, {}));
 }
 
@@ -72,7 +72,7 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
     if (list) read_nodes(context, scene, node.id, *list);
     if (list && list->kind != YamlKind::sequence && !list->is_empty()) return;  // is reported already
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
-    if (auto wrong = wrong_child_count(type, count, context.source.place(key.span))) context.report(std::move(*wrong));
+    if (auto wrong = wrong_child_count(type, count, context.source().place(key.span))) context.report(std::move(*wrong));
 }
 
 /// "-circle" and "radius:30mm" are words of their own to YAML: what was meant, or nothing.
@@ -131,7 +131,7 @@ bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
     const std::vector<YamlNode*>& entries = key.parent->items;
     const auto at = std::find(entries.begin(), entries.end(), &key) - entries.begin();
     if (key.parent->kind != YamlKind::map || at % 2 != 0) return false;
-    const int line = context.source.line_column(key.span.begin).line;
+    const int line = context.source().line_column(key.span.begin).line;
     context.report(
         Code::wrong_shape, written.span,
         fmt::format("*{} is only the word {}: in line {} its anchor stands before a key", written.text, key.text, line),
@@ -177,7 +177,7 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     const NodeType* parent_type = parent ? scene.find(parent)->type : nullptr;
     const NodeItem it{key, body, *type};
     if (report_misplaced_copies(context, parent_type, it)) return;
-    if (auto misplaced = misplaced_part(*type, parent_type, context.source.place(key.span))) return context.report(std::move(*misplaced));
+    if (auto misplaced = misplaced_part(*type, parent_type, context.source().place(key.span))) return context.report(std::move(*misplaced));
     if (is_repeated(it)) read_repeated(context, scene, parent, it);
     else read_single(context, scene, parent, it);
 }
@@ -225,8 +225,8 @@ Node* add_node(ReadContext& context, Scene& scene, NodeId parent, const NodeItem
         return nullptr;
     }
     Node& node = scene.add(type, parent);
-    node.key = context.source.place(item.key.span);
-    node.where = context.source.place({item.key.span.begin, std::max(item.key.span.end, item.body.span.end)});
+    node.key = context.source().place(item.key.span);
+    node.where = context.source().place({item.key.span.begin, std::max(item.key.span.end, item.body.span.end)});
     node.origin = context.origin;
     return &node;
 }
@@ -251,8 +251,8 @@ Node* read_single(ReadContext& context, Scene& scene, NodeId parent, const NodeI
 }
 
 void read_record(ReadContext& context, Node& record, const YamlNode& key, const YamlNode& body) {
-    record.key = context.source.place(key.span);
-    record.where = context.source.place({key.span.begin, std::max(key.span.end, body.span.end)});
+    record.key = context.source().place(key.span);
+    record.where = context.source().place({key.span.begin, std::max(key.span.end, body.span.end)});
     read_fields(context, record, key, body);
 }
 

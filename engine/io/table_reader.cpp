@@ -73,7 +73,7 @@ Reading read_tree(const Sources& sources, const std::shared_ptr<const YamlTree>&
     Reading result{tree, Scene(catalog), tree->diagnostics};
     result.scene.sources = sources;
     if (!tree->root) return result;
-    ReadContext context{sources.main(), *catalog, limits, result.diagnostics, set_params};
+    ReadContext context{&sources.main(), *catalog, limits, result.diagnostics, set_params};
     const YamlNode& root = *tree->root;
     if (root.kind != YamlKind::map) {
         context.report(Code::wrong_shape, root.span, "a table is a map of sections", "begin with: pinfield: 1");

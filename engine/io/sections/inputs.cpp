@@ -17,7 +17,7 @@ void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const
         return context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for an input", key.text),
                               "small letters, digits and _");
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
-    InputBinding binding{std::string(key.text), {}, context.source.place({key.span.begin, value.span.end})};
+    InputBinding binding{std::string(key.text), {}, context.source().place({key.span.begin, value.span.end})};
     std::vector<const YamlNode*> items{&value};
     if (value.kind == YamlKind::sequence) items.assign(value.items.begin(), value.items.end());
     for (const YamlNode* item : items) {

@@ -42,7 +42,7 @@ public:
                                    is_name(key.text) ? "call it otherwise" : "small letters, digits and _, not beginning with a digit");
         if (value.kind == YamlKind::null) return report_missing_value(context_, key, value);
         entry.param.name = key.text;
-        entry.param.where = context_.source.place(key.span);
+        entry.param.where = context_.source().place(key.span);
         context_.table_names.set(entry.param.name, {.kind = NamedValue::Kind::broken});
         order_.push_back(key.text);
         entries_.emplace(key.text, entry);
@@ -114,7 +114,7 @@ private:
         const auto value = calculate(context_, *entry.value);
         if (!value) return false;
         param.value = {value->value, std::string(entry.value->text)};
-        param.value_where = context_.source.place(entry.value->span);
+        param.value_where = context_.source().place(entry.value->span);
         param.dimension = value->measure.dimension;
         param.is_bare = value->measure.bare;
         param.is_calculated = !value->is_literal;

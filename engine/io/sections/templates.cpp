@@ -35,7 +35,7 @@ bool are_arguments(ReadContext& context, const YamlNode& args) {
 void read_entry(ReadContext& context, const YamlNode& key, const YamlNode& body) {
     if (!is_name(key.text))
         return context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for a template", shortened(key.text)), "small letters, digits and _");
-    TemplateText text{.key = &key};
+    TemplateText text{.key = &key, .text = &context.source()};
     if (body.kind != YamlKind::map) {
         context.report(Code::wrong_shape, body.span, "the nodes of a template are due here", fmt::format("write {}: {{nodes: [...]}}", key.text));
     } else {
@@ -51,7 +51,7 @@ void read_entry(ReadContext& context, const YamlNode& key, const YamlNode& body)
 
 /// Its entry in lines: the arguments in one, and each node in one.
 std::string lines_of(const ReadContext& context, const TemplateText& text) {
-    const std::string& source = context.source.text();
+    const std::string& source = context.source().text();
     std::string out = fmt::format("  {}:\n", text.key->text);
     if (text.args) out += fmt::format("    args: {}\n", copy_in_line(source, *text.args, Aliases::written_out));
     if (!text.nodes || text.nodes->kind != YamlKind::sequence || text.nodes->items.empty()) return out + "    nodes: []\n";
