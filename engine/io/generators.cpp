@@ -177,6 +177,7 @@ void share_inputs(Scene& scene, NodeId node, bool left) {
 
 void read_pair(ReadContext& context, Scene& scene, NodeId parent, const NodeItem& item, const YamlNode& value) {
     const YamlNode& key = key_of(item.body, "pair");
+    if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
     const auto line = read_value(context, number_field("pair", Unit::metre, from(-1e6), to(1e6)), value);
     context.written.clear();
     if (!line) return;

@@ -18,10 +18,11 @@ namespace {
 
 constexpr std::string_view children_key = "children";
 
-std::vector<std::string_view> keys_of(const NodeType& type) {
+std::vector<std::string_view> keys_of(const NodeType& type, bool is_use = false) {
     std::vector<std::string_view> keys;
+    if (is_use) keys = {"template", "with", "copies", "pair"};
     for (const FieldType& field : type.fields) keys.push_back(field.key);
-    if (type.meta.children.max > 0) keys.push_back(children_key);
+    if (type.meta.children.max > 0 && !is_use) keys.push_back(children_key);
     return keys;
 }
 
@@ -185,8 +186,9 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
 void report_unknown_key(ReadContext& context, const Node& node, const YamlNode& key, const YamlNode& field_key) {
     std::string hint = missing_blank(field_key.text);
     if (hint.empty() && !node.is_record()) hint = other_word_for_field(field_key.text);
-    if (hint.empty()) hint = suggestion(field_key.text, keys_of(*node.type));
-    if (hint.empty()) hint = fmt::format("it has {}", fmt::join(keys_of(*node.type), ", "));
+    const std::vector<std::string_view> keys = keys_of(*node.type, key.text == "use");
+    if (hint.empty()) hint = suggestion(field_key.text, keys);
+    if (hint.empty()) hint = fmt::format("it has {}", fmt::join(keys, ", "));
     context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text), std::move(hint));
 }
 
@@ -264,7 +266,7 @@ void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNod
         return context.report(Code::wrong_shape, list.span, "a list of nodes is due here",
                               blank.empty() ? "begin each node with a dash" : blank);
     }
-    std::size_t left = context.limits.nodes;
+    std::size_t left = context.limits.nodes - std::min(context.nodes_made, context.limits.nodes);
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
         return context.report(Code::too_many_nodes, beyond->span,
                               fmt::format("more than {} nodes", context.limits.nodes));

@@ -59,9 +59,7 @@ Result<PatchedText> patch_param(const Reading& now, const std::string& name, dou
     if (const YamlNode* shared = shared_above(written)) return tl::unexpected(shared_failure(*shared));
     const FieldType number = number_field("value", unit_of(param.dimension), {}, {});
     const TextPatch patch{param.value_where, write_number_like(number, value, written)};
-    const SourceText& source = now.source();
-    PatchedText out{{patch}, read_table(std::make_shared<const SourceText>(source.name(), apply(patch, source.text()), source.file()),
-                                        now.scene.shared_catalog(), limits), 1};
+    PatchedText out{{patch}, read_again(now, apply(patch, now.source().text()), limits), 1};
     if (!out.reading.ok()) return tl::unexpected(failure_of(out.reading));
     if (!same_content(out.reading.scene, *expected)) return failure("the text would change more than this value");
     out.reading.scene.take_ids_of(*expected);

@@ -27,6 +27,14 @@ struct TemplateText {
     bool is_used = false;
 };
 
+/// One of a table's files.
+struct TableText {
+    const SourceText* text;
+    const YamlNode* root;  ///< a map
+};
+
+class Inclusion;
+
 struct ReadContext {
     const SourceText* text;  ///< that what is being read stands in: one of the table's files
     const Catalog& catalog;
@@ -38,6 +46,9 @@ struct ReadContext {
     Names table_names{};           ///< the params
     const Names* names = nullptr;  ///< what names mean where the value stands; null: there are none
     std::map<std::string_view, TemplateText> templates{};
+    std::map<std::string_view, Place> materials{};  ///< so far
+    Inclusion* inclusion = nullptr;                 ///< null: nothing can be included here
+    std::vector<TableText> files{};                 ///< of the table: each behind what it includes, its own last
     std::shared_ptr<const Origin> origin{};  ///< of the nodes that are being read
     std::string id_prefix{}, id_suffix{};    ///< around the ids that they have in the text
     std::vector<std::string_view> open_templates{};  ///< whose nodes are being read, the outermost first
@@ -48,7 +59,7 @@ struct ReadContext {
     const SourceText& source() const { return *text; }
     void report(Diagnostic found) {
         for (auto step = origin; step; step = step->outer) found.via.push_back({step->what, step->where});
-        if (origin && is_said(found)) return fail_silently();
+        if (!found.via.empty() && is_said(found)) return fail_silently();
         if (diagnostics.size() < limits.errors)
             diagnostics.push_back(std::move(found));
         else if (diagnostics.size() == limits.errors)

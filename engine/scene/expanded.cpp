@@ -51,6 +51,7 @@ Scene expanded(Scene scene) {
         at(node.fields, *node.type->find_field("id")).value = plain->second;
     }
     rename_in_tests(scene, ids);
+    scene.includes.clear();
     scene.params.clear();
     scene.templates.clear();
     return scene;

@@ -49,7 +49,8 @@ void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& s
 
 std::string write(const Scene& scene) {
     std::vector<std::string> entries;
-    for (const InputBinding& input : scene.inputs) entries.push_back(entry_of(input));
+    for (const InputBinding& input : scene.inputs)
+        if (!is_elsewhere(scene, input.where)) entries.push_back(entry_of(input));
     return entries.empty() ? std::string() : fmt::format("inputs: {}\n", flow_map(entries));
 }
 

@@ -261,6 +261,7 @@ extern const Section tests{
     .same = [](const Scene& a,
                const Scene& b) { return std::equal(a.tests.begin(), a.tests.end(), b.tests.begin(), b.tests.end(), same_test); },
     .phase = Section::Phase::after_nodes,
+    .why_not_included = "a test tells of a whole table",
 };
 
 }  // namespace pinfield::sections
