@@ -10,6 +10,7 @@
 #include "engine/io/same_content.h"
 #include "engine/io/value_writer.h"
 #include "engine/io/yaml_edit.h"
+#include "engine/scene/elsewhere.h"
 
 namespace pinfield {
 namespace {
@@ -36,6 +37,7 @@ void take_ids(Scene& scene, const Scene& from) {
 std::optional<std::string> why_not_set(const Scene& scene, const std::string& name, double value) {
     const Param* param = find_param(scene, name);
     if (!param) return fmt::format("no param is called {}", name);
+    if (auto why = why_elsewhere(scene, name, param->where)) return why;
     if (param->is_calculated) return fmt::format("{} follows `{}`: change it in the text", name, param->value.text);
     if (param->min && value < param->min->value) return fmt::format("{} is at least {}", name, param->min->text);
     if (param->max && value > param->max->value) return fmt::format("{} is at most {}", name, param->max->text);

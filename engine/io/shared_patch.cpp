@@ -44,6 +44,7 @@ Way way_to(const Reading& now, NodeId id, std::string_view field) {
     } else {
         at_node = step(entry_in(*at_node, "scene"));
         const Indices indices = indices_of(now.scene, id);
+        if (indices.front() < 0) return way;  // in another file
         for (std::size_t depth = 0; at_node && depth < indices.size(); ++depth) {
             if (depth > 0) at_node = step(entry_in(*at_node, "children"));
             const YamlNode* item = at_node ? step(at(at_node->resolved().items, indices[depth])) : nullptr;

@@ -59,11 +59,21 @@ const TemplateText* read_entry(ReadContext& context, const Sources& sources, con
     return &context.templates.emplace(key.text, text).first->second;
 }
 
+/// In one line. An argument without a value is one that every use must give.
+std::string written_arguments(const std::string& source, const YamlNode& args) {
+    std::vector<std::string> entries;
+    for (std::size_t i = 0; i < args.entries(); ++i) {
+        const YamlNode& value = args.value(i).resolved();
+        entries.push_back(fmt::format("{}: {}", args.key(i).text, value.is_empty() ? "~" : copy_in_line(source, value, Aliases::written_out)));
+    }
+    return flow_map(entries);
+}
+
 /// Its entry in lines: the arguments in one, and each node in one.
 std::string lines_of(const ReadContext& context, const TemplateText& text) {
     const std::string& source = context.source().text();
     std::string out = fmt::format("  {}:\n", text.key->text);
-    if (text.args) out += fmt::format("    args: {}\n", copy_in_line(source, *text.args, Aliases::written_out));
+    if (text.args) out += fmt::format("    args: {}\n", written_arguments(source, *text.args));
     if (!text.nodes || text.nodes->kind != YamlKind::sequence || text.nodes->items.empty()) return out + "    nodes: []\n";
     out += "    nodes:\n";
     for (const YamlNode* item : text.nodes->items) {
