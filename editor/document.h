@@ -162,6 +162,7 @@ private:
     std::optional<std::string> write(std::span<const Edit> edits, const std::string& label);
     void replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids);
     void follow_disk(Reading reading);
+    DiskState follow_files();
     void agree_with_disk();
     void note_shared(std::span<const Edit> edits, const std::string& label);
     std::optional<std::string> commit_param(const std::string& label);

@@ -1,4 +1,5 @@
 // The document and its file, when that is changed by others.
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
@@ -22,12 +23,12 @@ DiskState Document::check_disk() {
     if (*text == disk_text_) {
         broken_.reset();
         disk_merge_.reset();
-        return DiskState::same;
+        return follow_files();
     }
     if (dirty() && *text != source().text()) return follow_dirty(std::move(*text));
     if (dirty()) return agree_with_disk(), DiskState::same;
     if (broken_ && broken_->source().text() == *text) return DiskState::broken;
-    Reading reading = read_table(named(std::move(*text)), catalog_);
+    Reading reading = read(std::move(*text));
     if (!reading.ok()) {
         broken_ = std::make_shared<const Reading>(std::move(reading));
         return DiskState::broken;
@@ -36,12 +37,32 @@ DiskState Document::check_disk() {
     return DiskState::reloaded;
 }
 
+/// The same text where a file that it includes is another one: no step, as undo does not change that file.
+DiskState Document::follow_files() {
+    const auto is_as_read = [&](const auto& file) {
+        const Result<FoundFile> now = reading_->open(file.first, Limits{}.file_bytes + 1);
+        return now && now->text == file.second->source->text();
+    };
+    if (!reading_->open || previewing() || std::all_of(reading_->files.begin(), reading_->files.end(), is_as_read)) return DiskState::same;
+    Reading reading = read(source().text());
+    if (!reading.ok()) {
+        broken_ = std::make_shared<const Reading>(std::move(reading));
+        return DiskState::broken;
+    }
+    broken_.reset();
+    const std::shared_ptr<const Reading> before = reading_;
+    take(std::move(reading), &before->scene);
+    const std::vector<SceneChange> made = changes_between(before->scene, reading_->scene);
+    changes_.insert(changes_.end(), made.begin(), made.end());
+    return DiskState::reloaded;
+}
+
 Result<void> Document::reload() {
     if (path_.empty()) return failure("the table has no file yet");
     cancel_preview();
     Result<std::string> text = read_file(path_);
     if (!text) return tl::unexpected(text.error());
-    Reading reading = read_table(named(std::move(*text)), catalog_);
+    Reading reading = read(std::move(*text));
     if (!reading.ok()) return failure(format(reading.diagnostics.front(), reading.scene.sources));
     follow_disk(std::move(reading));
     return {};

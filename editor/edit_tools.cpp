@@ -181,7 +181,7 @@ Result<Value> value_of(const FieldType& field, std::string_view text) {
     const Catalog none;
     const Limits limits;
     Diagnostics diagnostics;
-    ReadContext context{source, none, limits, diagnostics};
+    ReadContext context{&source, none, limits, diagnostics};
     std::optional<Value> value = read_value(context, field, list ? tree.root->resolved() : scalar);
     if (value) return std::move(*value);
     return failure(diagnostics.empty() ? "no such value" : diagnostics.front().message);

@@ -60,6 +60,23 @@ bool has_errors(const Diagnostics& diagnostics) {
                        [](const Diagnostic& d) { return d.severity == Severity::error; });
 }
 
+std::vector<Via> way_to(const Diagnostic& diagnostic, const Sources& sources) {
+    std::vector<Via> out;
+    const auto tell_files = [&](FileId file) {
+        while (const auto* here = sources.inclusion(file)) {
+            out.push_back({fmt::format("the file {}", here->path), here->asked_at, "included"});
+            file = here->asked_at.file;
+        }
+    };
+    FileId file = diagnostic.where.file;
+    tell_files(file);
+    for (const Via& step : diagnostic.via) {
+        out.push_back(step);
+        if (step.where.file != file) tell_files(file = step.where.file);
+    }
+    return out;
+}
+
 std::string format(const Diagnostic& diagnostic, const Sources& sources) {
     const SourceText* source = sources.find(diagnostic.where);
     const char* severity = diagnostic.severity == Severity::error ? "error" : "warning";
@@ -75,10 +92,10 @@ std::string format(const Diagnostic& diagnostic, const Sources& sources) {
         if (!excerpt.text.empty())
             out += fmt::format("  {}\n  {}^\n", excerpt.text, std::string(static_cast<std::size_t>(excerpt.caret), ' '));
     }
-    for (const Via& step : diagnostic.via) {
+    for (const Via& step : way_to(diagnostic, sources)) {
         const LineColumn asked = sources.line_column(step.where);
         const SourceText* in = sources.find(step.where);
-        out += fmt::format("  in {}, asked for at {}:{}:{}\n", shown(step.what), shown(in ? in->name() : ""), asked.line, asked.column);
+        out += fmt::format("  in {}, {} at {}:{}:{}\n", shown(step.what), step.how, shown(in ? in->name() : ""), asked.line, asked.column);
     }
     if (!diagnostic.hint.empty()) out += fmt::format("  hint: {}\n", shown(diagnostic.hint));
     return out;

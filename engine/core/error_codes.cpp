@@ -34,6 +34,8 @@ constexpr std::array codes{
     ErrorCode{"E0123", "expression_too_deep", "an expression has too many brackets within each other"},
     ErrorCode{"E0124", "expression_too_long", "an expression has too many parts"},
     ErrorCode{"E0125", "too_many_params", "the table has more params, or a template more arguments, than the limit"},
+    ErrorCode{"E0126", "too_many_includes", "the table includes more files than the limit"},
+    ErrorCode{"E0127", "table_too_large", "the table's files together are larger than the limit"},
 
     ErrorCode{"E0201", "wrong_shape", "a map, a list or a single value stands where another of them is due"},
     ErrorCode{"E0202", "unknown_key", "no such key here"},
@@ -65,6 +67,9 @@ constexpr std::array codes{
     ErrorCode{"E0227", "cyclic_param", "params need each other in a circle"},
     ErrorCode{"E0228", "cyclic_template", "a template uses itself"},
     ErrorCode{"E0229", "misplaced_copies", "use, copies or pair stands inside a shape"},
+    ErrorCode{"E0230", "misplaced_section", "an included file has a section that only the table's own file may have"},
+    ErrorCode{"E0231", "cyclic_include", "files include each other in a circle"},
+    ErrorCode{"E0232", "bad_path", "a path that no table may include"},
 
     ErrorCode{"E0301", "unknown_material", "no material of this name"},
     ErrorCode{"E0302", "unknown_input", "no input of this name"},
@@ -73,9 +78,9 @@ constexpr std::array codes{
     ErrorCode{"E0305", "unknown_name", "no param, argument or other number of this name"},
     ErrorCode{"E0306", "unknown_template", "no template of this name"},
     ErrorCode{"E0307", "unknown_argument", "the template takes no argument of this name"},
+    ErrorCode{"E0308", "unreadable_include", "an included file is not there, or cannot be read"},
 
     ErrorCode{"E0407", "motion_unsupported", "motions are not supported yet"},
-    ErrorCode{"E0408", "include_unsupported", "include is not supported yet"},
     ErrorCode{"E0409", "game_unsupported", "game rules are not supported yet"},
 
     ErrorCode{"W0501", "empty_scene", "the table has no scene"},

@@ -37,6 +37,8 @@ enum class Code : unsigned char {
     expression_too_deep,
     expression_too_long,
     too_many_params,
+    too_many_includes,
+    table_too_large,
 
     wrong_shape,
     unknown_key,
@@ -67,6 +69,9 @@ enum class Code : unsigned char {
     cyclic_param,
     cyclic_template,
     misplaced_copies,
+    misplaced_section,
+    cyclic_include,
+    bad_path,
 
     unknown_material,
     unknown_input,
@@ -75,9 +80,9 @@ enum class Code : unsigned char {
     unknown_name,
     unknown_template,
     unknown_argument,
+    unreadable_include,
 
     motion_unsupported,
-    include_unsupported,
     game_unsupported,
 
     empty_scene,

@@ -1,6 +1,8 @@
 #include "engine/core/source_text.h"
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 #include "engine/core/at.h"
 
@@ -40,6 +42,17 @@ const SourceText* Sources::find(const Place& place) const {
     return texts_[place.file.value - main_file.value].get();
 }
 
+void Sources::add(std::shared_ptr<const SourceText> text, std::string path, const Place& asked_at) {
+    assert(text->file() == next_file() && "texts are numbered in their order");
+    texts_.push_back(std::move(text));
+    included_.push_back({std::move(path), asked_at});
+}
+
+const Sources::Included* Sources::inclusion(FileId file) const {
+    if (file.value <= main_file.value || file.value > texts_.size()) return nullptr;
+    return &included_[file.value - main_file.value - 1];
+}
+
 LineColumn Sources::line_column(const Place& place) const {
     const SourceText* text = find(place);
     return text ? text->line_column(place.span.begin) : LineColumn{};
@@ -48,6 +61,12 @@ LineColumn Sources::line_column(const Place& place) const {
 std::string_view Sources::slice(const Place& place) const {
     const SourceText* text = find(place);
     return text ? text->slice(place.span) : std::string_view();
+}
+
+std::string Sources::line_from(const Place& here, const Place& place) const {
+    const std::string line = std::to_string(line_column(place).line);
+    const SourceText* text = find(place);
+    return !text || here.file == place.file ? "line " + line : text->name() + ":" + line;
 }
 
 }  // namespace pinfield

@@ -1,6 +1,7 @@
 // The texts a table is made of, and where things are in them.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -68,15 +69,35 @@ public:
     /// The table's own file.
     const SourceText& main() const { return *texts_.front(); }
     const std::shared_ptr<const SourceText>& shared_main() const { return texts_.front(); }
+    /// All of them, the table's own first.
+    const std::vector<std::shared_ptr<const SourceText>>& all() const { return texts_; }
+
+    /// The number of a text that is to be added.
+    FileId next_file() const { return FileId{main_file.value + static_cast<std::uint32_t>(texts_.size())}; }
+    /// A further text, of that number. `path`: what it is called in the table's folder; `asked_at`: what includes it.
+    void add(std::shared_ptr<const SourceText> text, std::string path, const Place& asked_at);
+    struct Included {
+        std::string path;
+        Place asked_at;
+    };
+    /// How a text comes to be one of the table's; null for the table's own, and for none.
+    const Included* inclusion(FileId file) const;
+
     /// The text a place is in; null for nowhere.
     const SourceText* find(const Place& place) const;
     /// Of where a place begins; {1, 1} for nowhere.
     LineColumn line_column(const Place& place) const;
     /// The bytes of a place; none for nowhere.
     std::string_view slice(const Place& place) const;
+    /// Where a place begins, for somebody who looks at another: "line 3" where both are in one text, else "parts/walls.yaml:3".
+    std::string line_from(const Place& here, const Place& place) const;
 
 private:
     std::vector<std::shared_ptr<const SourceText>> texts_;  ///< main_file first
+    std::vector<Included> included_;                        ///< of each after it
 };
+
+/// Does it stand in a text that the table includes?
+inline bool is_included(const Place& place) { return place && place.file != main_file; }
 
 }  // namespace pinfield

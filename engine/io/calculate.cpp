@@ -12,7 +12,7 @@ using Kind = NamedValue::Kind;
 
 /// Bytes of a scalar's text as bytes of the file; the whole scalar where the file does not hold its text letter by letter.
 Span span_within(const ReadContext& context, const YamlNode& node, Span span) {
-    const std::string_view held = context.source.slice(node.span);
+    const std::string_view held = context.source().slice(node.span);
     const std::size_t begin = held.find(node.text);
     if (begin == std::string_view::npos) return node.span;
     return {node.span.begin + begin + span.begin, node.span.begin + begin + span.end};

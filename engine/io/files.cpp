@@ -38,13 +38,17 @@ Result<bool> replace_file(const fs::path& target, const std::string& content, co
 Result<FileStart> read_file_start(const std::string& path, std::size_t most) {
     Descriptor in(again([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC); }));
     if (!in) return refused("open", path);
+    return read_open_file(in.number(), path, most);
+}
+
+Result<FileStart> read_open_file(int descriptor, const std::string& path, std::size_t most) {
     struct stat status {};
-    if (again([&] { return ::fstat(in.number(), &status); }) != 0) return refused("read", path);
+    if (again([&] { return ::fstat(descriptor, &status); }) != 0) return refused("read", path);
     if (!S_ISREG(status.st_mode)) return failure(fmt::format("cannot read {}: it is no ordinary file", path));
     FileStart start;
     char buffer[1 << 16];
     while (start.content.size() <= most) {
-        const ssize_t count = again([&] { return ::read(in.number(), buffer, sizeof buffer); });
+        const ssize_t count = again([&] { return ::read(descriptor, buffer, sizeof buffer); });
         if (count < 0) return refused("read", path);
         if (count == 0) return start;
         start.content.append(buffer, static_cast<std::size_t>(count));

@@ -17,6 +17,8 @@ struct FileStart {
     bool whole = true;
 };
 Result<FileStart> read_file_start(const std::string& path, std::size_t most);
+/// The same of a file that is open, which messages call by its path.
+Result<FileStart> read_open_file(int descriptor, const std::string& path, std::size_t most);
 
 /// Replaces a file's content, or makes the file; mode and, where the system lets it, owner stay. Readers see the old content or the new,
 /// never half of it, whenever the machine stops. A read-only file is not replaced. A failure may come after the new content is there: when the disk does not confirm it.

@@ -47,7 +47,7 @@ Result<std::vector<Fragment>> read_fragments(const std::string& text, const std:
     if (!tree.root) return tl::unexpected(failure_of(diagnostics, source));
     const Limits limits;
     Scene scene(catalog);
-    ReadContext context{source, *catalog, limits, diagnostics};
+    ReadContext context{&source, *catalog, limits, diagnostics};
     read_nodes(context, scene, {}, *tree.root);
     if (has_errors(diagnostics) || scene.roots().empty()) return tl::unexpected(failure_of(diagnostics, source));
     std::vector<Fragment> out;

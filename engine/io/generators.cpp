@@ -24,7 +24,7 @@ public:
           prefix_(context.id_prefix),
           suffix_(context.id_suffix),
           origin_(std::exchange(context.origin, std::make_shared<const Origin>(Origin{
-                                                    std::move(what), context.source.place(asked_by.span), context.origin}))) {}
+                                                    std::move(what), context.source().place(asked_by.span), context.origin}))) {}
     ~Making() {
         context_.names = names_;
         context_.id_prefix = prefix_;
@@ -114,7 +114,7 @@ Node* add_group(ReadContext& context, Scene& scene, NodeId parent, const NodeIte
     context.written.clear();
     if (!text) return group;  // said again, with its words, when the first copy is read
     group->name = context.id_prefix + *text + context.id_suffix;
-    slot = {group->name, true, context.source.place(id->span)};
+    slot = {group->name, true, context.source().place(id->span)};
     return group;
 }
 
@@ -177,6 +177,7 @@ void share_inputs(Scene& scene, NodeId node, bool left) {
 
 void read_pair(ReadContext& context, Scene& scene, NodeId parent, const NodeItem& item, const YamlNode& value) {
     const YamlNode& key = key_of(item.body, "pair");
+    if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
     const auto line = read_value(context, number_field("pair", Unit::metre, from(-1e6), to(1e6)), value);
     context.written.clear();
     if (!line) return;
@@ -232,6 +233,7 @@ void read_arguments(ReadContext& context, const TemplateText& text, std::string_
         const YamlNode* given = with ? with->find(key.text) : nullptr;
         NamedValue value{.kind = NamedValue::Kind::broken};
         if (!initial.is_empty()) {
+            const InText there(context, text.text);
             const Names* const outside = std::exchange(context.names, &context.table_names);
             value = read_argument(context, initial, nullptr);
             context.names = outside;
@@ -273,7 +275,7 @@ TemplateText* find_template(ReadContext& context, const NodeItem& item) {
 }  // namespace
 
 std::string line_of(const ReadContext& context, const NodeItem& item) {
-    return fmt::format("- {}: {}", item.key.text, copy_in_line(context.source.text(), item.body, Aliases::written_out));
+    return fmt::format("- {}: {}", item.key.text, copy_in_line(context.source().text(), item.body, Aliases::written_out));
 }
 
 bool is_repeated(const NodeItem& item) { return item.body.kind == YamlKind::map && (item.body.find("copies") || item.body.find("pair")); }
@@ -295,6 +297,7 @@ void read_template(ReadContext& context, Scene& scene, Node& group, const NodeIt
     const Making making(context, &arguments, fmt::format("the template {}", name), item.key);
     if (!group.name.empty()) context.id_prefix = group.name + ".";
     context.id_suffix.clear();
+    const InText there(context, text->text);
     context.open_templates.push_back(name);
     read_nodes(context, scene, group.id, *text->nodes);
     context.open_templates.pop_back();

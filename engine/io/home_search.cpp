@@ -168,8 +168,7 @@ bool is_same_line(const Scene& scene, const SetField& edit, const Node& other) {
 Result<PatchedText> read_home(const Reading& now, const Splice& splice, const Limits& limits) {
     const SourceText& source = now.source();
     const TextPatch patch{source.place(splice.replaced), splice.text};
-    PatchedText out{{patch}, read_table(std::make_shared<const SourceText>(source.name(), apply(patch, source.text()), source.file()),
-                                        now.scene.shared_catalog(), limits), 1};
+    PatchedText out{{patch}, read_again(now, apply(patch, source.text()), limits), 1};
     if (!out.reading.ok()) return tl::unexpected(first_error(out.reading));
     if (!has_same_nodes(now.scene, out.reading.scene)) return failure("nodes would come or go with it");
     out.reading.scene.take_ids_of(now.scene);

@@ -25,11 +25,6 @@ using About = MergeConflict::About;
 
 const std::string& text_of(const Reading& reading) { return reading.source().text(); }
 
-Reading read_like(const Reading& like, std::string text) {
-    const SourceText& source = like.source();
-    return read_table(std::make_shared<const SourceText>(source.name(), std::move(text), source.file()), like.scene.shared_catalog());
-}
-
 /// How often each comment stands in a text.
 std::map<std::string, int> comments_of(const Reading& reading) {
     std::map<std::string, int> out;
@@ -159,7 +154,7 @@ MergedText merge_text(const Reading& base, const Reading& mine, Reading theirs, 
         }
     // Lines first: they carry comments and all that only people read. What they miss or spoil, patches mend; else these begin at a side.
     for (const std::string& text : {merge_lines(text_of(base), text_of(mine), text_of(out.reading)), text_of(out.reading), text_of(mine)}) {
-        Reading start = read_like(out.reading, text);
+        Reading start = read_again(out.reading, text);
         if (!start.ok()) continue;
         Result<Reading> found = led_to(std::move(start), merged.scene, mine, out.reading);
         if (found) {

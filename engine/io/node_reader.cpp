@@ -18,10 +18,11 @@ namespace {
 
 constexpr std::string_view children_key = "children";
 
-std::vector<std::string_view> keys_of(const NodeType& type) {
+std::vector<std::string_view> keys_of(const NodeType& type, bool is_use = false) {
     std::vector<std::string_view> keys;
+    if (is_use) keys = {"template", "with", "copies", "pair"};
     for (const FieldType& field : type.fields) keys.push_back(field.key);
-    if (type.meta.children.max > 0) keys.push_back(children_key);
+    if (type.meta.children.max > 0 && !is_use) keys.push_back(children_key);
     return keys;
 }
 
@@ -63,7 +64,7 @@ void read_field(ReadContext& context, Node& node, int index, const YamlNode& key
         count && field.meta.meaning == Meaning::count && *count > static_cast<std::int64_t>(context.limits.repeats))
         return context.report(Code::too_many_repeats, value.span, fmt::format("more than {} copies", context.limits.repeats));
     FieldSlot& slot = at(node.fields, index);
-    slot = {std::move(*read), true, context.source.place(value.span)};
+    slot = {std::move(*read), true, context.source().place(value.span)};
     if (!context.written.empty()) slot.written = std::make_shared<const WrittenParts>(std::exchange(context.written, {}));
 }
 
@@ -72,7 +73,7 @@ void read_children(ReadContext& context, Scene& scene, Node& node, const YamlNod
     if (list) read_nodes(context, scene, node.id, *list);
     if (list && list->kind != YamlKind::sequence && !list->is_empty()) return;  // is reported already
     const auto count = list && list->kind == YamlKind::sequence ? static_cast<int>(list->items.size()) : 0;
-    if (auto wrong = wrong_child_count(type, count, context.source.place(key.span))) context.report(std::move(*wrong));
+    if (auto wrong = wrong_child_count(type, count, context.source().place(key.span))) context.report(std::move(*wrong));
 }
 
 /// "-circle" and "radius:30mm" are words of their own to YAML: what was meant, or nothing.
@@ -131,7 +132,7 @@ bool report_alias_of_key(ReadContext& context, const YamlNode& written) {
     const std::vector<YamlNode*>& entries = key.parent->items;
     const auto at = std::find(entries.begin(), entries.end(), &key) - entries.begin();
     if (key.parent->kind != YamlKind::map || at % 2 != 0) return false;
-    const int line = context.source.line_column(key.span.begin).line;
+    const int line = context.source().line_column(key.span.begin).line;
     context.report(
         Code::wrong_shape, written.span,
         fmt::format("*{} is only the word {}: in line {} its anchor stands before a key", written.text, key.text, line),
@@ -177,7 +178,7 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
     const NodeType* parent_type = parent ? scene.find(parent)->type : nullptr;
     const NodeItem it{key, body, *type};
     if (report_misplaced_copies(context, parent_type, it)) return;
-    if (auto misplaced = misplaced_part(*type, parent_type, context.source.place(key.span))) return context.report(std::move(*misplaced));
+    if (auto misplaced = misplaced_part(*type, parent_type, context.source().place(key.span))) return context.report(std::move(*misplaced));
     if (is_repeated(it)) read_repeated(context, scene, parent, it);
     else read_single(context, scene, parent, it);
 }
@@ -185,8 +186,9 @@ void read_node(ReadContext& context, Scene& scene, NodeId parent, const YamlNode
 void report_unknown_key(ReadContext& context, const Node& node, const YamlNode& key, const YamlNode& field_key) {
     std::string hint = missing_blank(field_key.text);
     if (hint.empty() && !node.is_record()) hint = other_word_for_field(field_key.text);
-    if (hint.empty()) hint = suggestion(field_key.text, keys_of(*node.type));
-    if (hint.empty()) hint = fmt::format("it has {}", fmt::join(keys_of(*node.type), ", "));
+    const std::vector<std::string_view> keys = keys_of(*node.type, key.text == "use");
+    if (hint.empty()) hint = suggestion(field_key.text, keys);
+    if (hint.empty()) hint = fmt::format("it has {}", fmt::join(keys, ", "));
     context.report(Code::unknown_key, field_key.span, fmt::format("{} has no {}", key.text, field_key.text), std::move(hint));
 }
 
@@ -225,8 +227,8 @@ Node* add_node(ReadContext& context, Scene& scene, NodeId parent, const NodeItem
         return nullptr;
     }
     Node& node = scene.add(type, parent);
-    node.key = context.source.place(item.key.span);
-    node.where = context.source.place({item.key.span.begin, std::max(item.key.span.end, item.body.span.end)});
+    node.key = context.source().place(item.key.span);
+    node.where = context.source().place({item.key.span.begin, std::max(item.key.span.end, item.body.span.end)});
     node.origin = context.origin;
     return &node;
 }
@@ -251,8 +253,8 @@ Node* read_single(ReadContext& context, Scene& scene, NodeId parent, const NodeI
 }
 
 void read_record(ReadContext& context, Node& record, const YamlNode& key, const YamlNode& body) {
-    record.key = context.source.place(key.span);
-    record.where = context.source.place({key.span.begin, std::max(key.span.end, body.span.end)});
+    record.key = context.source().place(key.span);
+    record.where = context.source().place({key.span.begin, std::max(key.span.end, body.span.end)});
     read_fields(context, record, key, body);
 }
 
@@ -264,7 +266,7 @@ void read_nodes(ReadContext& context, Scene& scene, NodeId parent, const YamlNod
         return context.report(Code::wrong_shape, list.span, "a list of nodes is due here",
                               blank.empty() ? "begin each node with a dash" : blank);
     }
-    std::size_t left = context.limits.nodes;
+    std::size_t left = context.limits.nodes - std::min(context.nodes_made, context.limits.nodes);
     if (const YamlNode* beyond = parent ? nullptr : first_node_beyond(list, left))
         return context.report(Code::too_many_nodes, beyond->span,
                               fmt::format("more than {} nodes", context.limits.nodes));

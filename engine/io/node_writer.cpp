@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "engine/core/shown.h"
 #include "engine/io/value_writer.h"
 
 namespace pinfield {
@@ -89,6 +90,14 @@ std::string write_item_around(const Node& node, const std::vector<std::string>& 
     out += fmt::format("\n{}children:", margin);
     for (const std::string& item : items) out += fmt::format("\n{}", indented_lines(item, style.lists.body + style.lists.dash));
     return out;
+}
+
+std::string file_comment(const Scene& scene, FileId& file, const Place& place) {
+    if (!place || place.file == file) return {};
+    file = place.file;
+    const Sources::Included* included = scene.sources.inclusion(file);
+    const std::string& name = scene.sources.main().name();
+    return fmt::format("  # {}\n", shown(included ? included->path : name.substr(name.rfind('/') + 1)));
 }
 
 std::string write_nodes(const Scene& scene, const std::vector<NodeId>& nodes, std::size_t indent) {

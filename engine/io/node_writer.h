@@ -23,6 +23,10 @@ std::vector<std::string> entries_of(const TableTest& test);
 /// A list of scene nodes with all below them, a line a node where it has no children, each indented by `indent`.
 std::string write_nodes(const Scene& scene, const std::vector<NodeId>& nodes, std::size_t indent);
 
+/// "  # parts/walls.yaml\n" before an item that stands in another file than the one before it, which `file` is and then is no more. Nothing
+/// for one that stands nowhere.
+std::string file_comment(const Scene& scene, FileId& file, const Place& place);
+
 /// The style of the table that a new node is put into.
 struct NodeStyle {
     ListStyle lists;

@@ -10,6 +10,7 @@
 #include "engine/io/same_content.h"
 #include "engine/io/value_writer.h"
 #include "engine/io/yaml_edit.h"
+#include "engine/scene/elsewhere.h"
 
 namespace pinfield {
 namespace {
@@ -36,6 +37,7 @@ void take_ids(Scene& scene, const Scene& from) {
 std::optional<std::string> why_not_set(const Scene& scene, const std::string& name, double value) {
     const Param* param = find_param(scene, name);
     if (!param) return fmt::format("no param is called {}", name);
+    if (auto why = why_elsewhere(scene, name, param->where)) return why;
     if (param->is_calculated) return fmt::format("{} follows `{}`: change it in the text", name, param->value.text);
     if (param->min && value < param->min->value) return fmt::format("{} is at least {}", name, param->min->text);
     if (param->max && value > param->max->value) return fmt::format("{} is at most {}", name, param->max->text);
@@ -59,9 +61,7 @@ Result<PatchedText> patch_param(const Reading& now, const std::string& name, dou
     if (const YamlNode* shared = shared_above(written)) return tl::unexpected(shared_failure(*shared));
     const FieldType number = number_field("value", unit_of(param.dimension), {}, {});
     const TextPatch patch{param.value_where, write_number_like(number, value, written)};
-    const SourceText& source = now.source();
-    PatchedText out{{patch}, read_table(std::make_shared<const SourceText>(source.name(), apply(patch, source.text()), source.file()),
-                                        now.scene.shared_catalog(), limits), 1};
+    PatchedText out{{patch}, read_again(now, apply(patch, now.source().text()), limits), 1};
     if (!out.reading.ok()) return tl::unexpected(failure_of(out.reading));
     if (!same_content(out.reading.scene, *expected)) return failure("the text would change more than this value");
     out.reading.scene.take_ids_of(*expected);

@@ -6,6 +6,7 @@
 
 #include "engine/core/at.h"
 #include "engine/io/field_patch.h"
+#include "engine/scene/elsewhere.h"
 
 namespace pinfield {
 namespace {
@@ -22,9 +23,12 @@ const YamlNode* list_of(const YamlNode& body, std::string_view key) {
 
 Indices indices_of(const Scene& scene, NodeId node) {
     Indices out;
-    for (; node; node = scene.find(node)->parent) out.insert(out.begin(), scene.index_of(node));
+    for (; node; node = scene.find(node)->parent)
+        out.insert(out.begin(), index_in_text(scene, scene.find(node)->parent, scene.index_of(node)));
     return out;
 }
+
+int index_in_text(const Scene& scene, NodeId parent, int index) { return index - included_children(scene, parent); }
 
 Result<void> Rewriting::write(std::vector<Splice> splices) {
     std::string changed = text();
@@ -44,7 +48,7 @@ Result<Children> Rewriting::children_of(const Indices& node) const {
     out.body = tree_->root;
     out.list = list_of(root(), "scene");
     for (const int index : node) {
-        if (!out.list || index >= static_cast<int>(out.list->items.size())) return failure("the text does not hold the node");
+        if (!out.list || index < 0 || index >= static_cast<int>(out.list->items.size())) return failure("the text does not hold the node");
         const YamlNode& item = *at(out.list->items, index);
         for (const YamlNode* node_or_alias : {out.list, &item})
             if (node_or_alias->references > 0 || node_or_alias->target) return tl::unexpected(shared_failure(*node_or_alias));
@@ -60,7 +64,7 @@ Result<Children> Rewriting::children_of(const Indices& node) const {
 Result<ItemText> Rewriting::item(const Indices& parent, int index) const {
     const auto children = children_of(parent);
     if (!children) return tl::unexpected(children.error());
-    if (!children->list || index >= static_cast<int>(children->list->items.size())) return failure("the text does not hold the node");
+    if (!children->list || index < 0 || index >= static_cast<int>(children->list->items.size())) return failure("the text does not hold the node");
     return item_text(text(), *children->list, static_cast<std::size_t>(index));
 }
 

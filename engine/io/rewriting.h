@@ -15,7 +15,10 @@ namespace pinfield {
 
 /// Child of the top level, child of that child ...: where a node is, whatever it is called.
 using Indices = std::vector<int>;
+/// In the table's own text: what it includes, which comes before, is not counted, and has an index below 0.
 Indices indices_of(const Scene& scene, NodeId node);
+/// Of a child of `parent`, likewise.
+int index_in_text(const Scene& scene, NodeId parent, int index);
 
 /// Where the list of a node's children stands, or would stand.
 struct Children {

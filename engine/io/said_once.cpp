@@ -35,8 +35,7 @@ bool same_values(const Scene& a, const Scene& b) {
 
 /// The rewritten text read again, which must make the nodes of `expected`; they have its ids.
 Result<PatchedText> proven(const Reading& now, Rewriting rewriting, const Scene& expected, const Limits& limits) {
-    const SourceText& source = now.source();
-    PatchedText out{{}, read_table(std::make_shared<const SourceText>(source.name(), rewriting.text(), source.file()), now.scene.shared_catalog(), limits), 1};
+    PatchedText out{{}, read_again(now, rewriting.text(), limits), 1};
     for (const Diagnostic& d : out.reading.diagnostics)
         if (d.severity == Severity::error)
             return failure(fmt::format("line {}: {}", out.reading.scene.sources.line_column(d.where).line, d.message));
@@ -65,7 +64,7 @@ public:
             for (std::size_t i = 0; i < node.fields.size(); ++i) {
                 const FieldKind kind = node.type->fields[i].kind;
                 const bool is_number = kind == FieldKind::integer || kind == FieldKind::number || kind == FieldKind::vec2 || kind == FieldKind::points;
-                if (!is_number && node.fields[i].where) words_.push_back(node.fields[i].where.span);
+                if (!is_number && node.fields[i].where.file == main_file) words_.push_back(node.fields[i].where.span);
             }
         }
     }
@@ -132,7 +131,7 @@ Result<PatchedText> patch_to_param(const Reading& now, NodeId node, int field, i
     if (const auto why = why_no_name(now, name)) return failure(*why);
     const FieldSlot& slot = at(found->fields, field);
     const FieldType& type = at(found->type->fields, field);
-    const YamlNode* value = slot.where ? node_at(*now.tree, slot.where.span) : nullptr;
+    const YamlNode* value = slot.where.file == main_file ? node_at(*now.tree, slot.where.span) : nullptr;
     if (value && value->kind == YamlKind::sequence && part < static_cast<int>(value->items.size())) value = at(value->items, part);
     if (!value || value->kind != YamlKind::scalar) return failure(fmt::format("{} is not in the text: give it a number first", type.key));
     if (!read_quantity(value->text, type.meta.unit)) return failure(fmt::format("{} is no plain number", value->text));

@@ -97,7 +97,7 @@ void read_names(ReadContext& context, std::string_view key, const YamlNode& valu
 
 /// A text as it stands: of a scalar what it says, of anything else its YAML.
 std::string text_of(const ReadContext& context, const YamlNode& value) {
-    return std::string(value.kind == YamlKind::scalar ? value.text : context.source.slice(value.span));
+    return std::string(value.kind == YamlKind::scalar ? value.text : context.source().slice(value.span));
 }
 
 std::string* word_for(ScriptStep& step, std::string_view key) {
@@ -177,7 +177,7 @@ void read_step(ReadContext& context, Script& script, const YamlNode& node) {
     }
     ScriptStep step;
     step.kind = form->kind;
-    step.where = context.source.place({word.span.begin, std::max(word.span.end, body.span.end)});
+    step.where = context.source().place({word.span.begin, std::max(word.span.end, body.span.end)});
     if (body.kind == YamlKind::null) {
         report_missing_value(context, word, body);
     } else if (form->body == Body::map) {
@@ -208,7 +208,7 @@ Script read_script(const SourceText& source, const Limits& limits) {
             d = diagnose(Code::empty_file, d.where, "the file holds no steps", "begin each step with a dash");
     if (!tree.root) return script;
     const Catalog none;
-    ReadContext context{source, none, limits, script.diagnostics};
+    ReadContext context{&source, none, limits, script.diagnostics};
     if (tree.root->kind != YamlKind::sequence) {
         context.report(Code::wrong_shape, tree.root->span, "a script is a list of steps", "begin each step with a dash");
         return script;

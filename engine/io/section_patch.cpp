@@ -10,6 +10,7 @@
 #include "engine/io/section.h"
 #include "engine/io/value_writer.h"
 #include "engine/io/yaml_text.h"
+#include "engine/scene/elsewhere.h"
 
 namespace pinfield {
 namespace {
@@ -119,27 +120,29 @@ Result<void> insert_template(Rewriting& text, const std::string& lines) {
 }
 
 Result<void> insert_input(Rewriting& text, const InsertInput& edit) {
-    return insert_into_map(text, "inputs", edit.index, entry_of(edit.input));
+    return insert_into_map(text, "inputs", edit.index - included_inputs(text.now().scene), entry_of(edit.input));
 }
 
 Result<void> remove_input(Rewriting& text, const RemoveInput& edit) {
-    const auto map = section_with(text, "inputs", static_cast<std::size_t>(edit.index));
+    const auto index = static_cast<std::size_t>(edit.index - included_inputs(text.now().scene));
+    const auto map = section_with(text, "inputs", index);
     if (!map) return tl::unexpected(map.error());
-    return text.write({remove_entry(text.text(), **map, static_cast<std::size_t>(edit.index))});
+    return text.write({remove_entry(text.text(), **map, index)});
 }
 
 /// One key alone stays a word where it was one.
 Result<void> set_keys(Rewriting& text, const Scene& scene, const SetKeys& edit) {
-    const auto map = section_with(text, "inputs", static_cast<std::size_t>(edit.index));
+    const auto index = static_cast<std::size_t>(edit.index - included_inputs(scene));
+    const auto map = section_with(text, "inputs", index);
     if (!map) return tl::unexpected(map.error());
-    const YamlNode& keys = (*map)->value(static_cast<std::size_t>(edit.index));
+    const YamlNode& keys = (*map)->value(index);
     if (const YamlNode* shared = shared_below(keys)) return tl::unexpected(shared_failure(*shared));
     if (edit.keys == at(scene.inputs, edit.index).keys) return {};
     if (!comments_in(text.text(), keys.span, keys).empty()) return failure("the keys have comments of their own; edit the text");
     const bool word = keys.kind == YamlKind::scalar && edit.keys.size() == 1;
     std::string written = word ? write_text(edit.keys.front(), keys.style) : keys_text(edit.keys);
     if (keys.kind == YamlKind::sequence && keys.style == YamlStyle::block) {  // behind the key, not below it
-        const std::size_t colon = text.text().find(':', (*map)->key(static_cast<std::size_t>(edit.index)).span.end) + 1;
+        const std::size_t colon = text.text().find(':', (*map)->key(index).span.end) + 1;
         if (text.text().find('#', colon) >= keys.span.end) return text.write({{{colon, keys.span.end}, " " + written}});
     }
     return text.write({{keys.span, std::move(written)}});

@@ -8,10 +8,9 @@ namespace pinfield {
 namespace sections {
 
 // One file each in sections/.
-extern const Section version, table, physics, params, materials, templates, scene, inputs, tests;
+extern const Section version, table, physics, params, materials, templates, include, scene, inputs, tests;
 
-constexpr Section include{.key = "include", .unsupported = Code::include_unsupported};
-constexpr Section game{.key = "game", .unsupported = Code::game_unsupported};
+constexpr Section game{.key = "game", .unsupported = Code::game_unsupported, .why_not_included = "a table is one game"};
 
 constexpr std::array<const Section*, 11> all{&version,   &table, &physics, &params, &materials, &templates,
                                              &include,   &scene, &inputs,  &game,   &tests};

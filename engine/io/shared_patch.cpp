@@ -44,6 +44,7 @@ Way way_to(const Reading& now, NodeId id, std::string_view field) {
     } else {
         at_node = step(entry_in(*at_node, "scene"));
         const Indices indices = indices_of(now.scene, id);
+        if (indices.front() < 0) return way;  // in another file
         for (std::size_t depth = 0; at_node && depth < indices.size(); ++depth) {
             if (depth > 0) at_node = step(entry_in(*at_node, "children"));
             const YamlNode* item = at_node ? step(at(at_node->resolved().items, indices[depth])) : nullptr;
@@ -127,14 +128,13 @@ Result<std::vector<Splice>> written_out(const Reading& now, const YamlNode& shar
     return std::vector<Splice>{{*word, ""}, {next.span, others.size() > 1 ? fmt::format("&{} {}", next.text, copy) : copy_for(next)}};
 }
 
-Reading read_again(const Reading& now, const std::vector<Splice>& splices, std::vector<TextPatch>& patches) {
+Reading read_spliced(const Reading& now, const std::vector<Splice>& splices, std::vector<TextPatch>& patches) {
     std::string text = now.source().text();
     for (auto splice = splices.rbegin(); splice != splices.rend(); ++splice) {
         text.replace(splice->replaced.begin, splice->replaced.end - splice->replaced.begin, splice->text);
         patches.push_back({now.source().place(splice->replaced), splice->text});
     }
-    const SourceText& source = now.source();
-    return read_table(std::make_shared<const SourceText>(source.name(), std::move(text), source.file()), now.scene.shared_catalog());
+    return read_again(now, std::move(text));
 }
 
 Result<Splice> splice_at_anchor(const Reading& now, const SetField& edit) {
@@ -185,7 +185,7 @@ Result<PatchedText> patch_everywhere(const Reading& now, const SetField& edit) {
     const Result<Splice> splice = splice_at_anchor(now, edit);
     if (!splice) return tl::unexpected(splice.error());
     PatchedText out{{}, now, 1};
-    out.reading = read_again(now, {*splice}, out.patches);
+    out.reading = read_spliced(now, {*splice}, out.patches);
     if (!out.reading.ok()) return failure(out.reading.diagnostics.front().message);
     if (!same_content(out.reading.scene, expected)) return failure("the text would change more than this value");
     out.reading.scene.take_ids_of(expected);
@@ -209,7 +209,7 @@ Result<PatchedText> patch_here(const Reading& now, const SetField& edit) {
         } else {
             break;
         }
-        Reading next = read_again(out.reading, splices, out.patches);
+        Reading next = read_spliced(out.reading, splices, out.patches);
         ++out.readings;
         if (!next.ok()) return failure(next.diagnostics.front().message);
         if (!same_content(next.scene, now.scene)) return failure("the text would change more than this value");

@@ -11,6 +11,7 @@
 #include "engine/io/rewriting.h"
 #include "engine/io/section_patch.h"
 #include "engine/io/value_writer.h"
+#include "engine/scene/elsewhere.h"
 
 namespace pinfield {
 namespace {
@@ -23,10 +24,10 @@ Indices parent_of(Indices node) {
 Result<void> rewrite(Rewriting&, const Scene&, const SetField&) { return failure("a field is no structure"); }
 
 Result<void> rewrite(Rewriting& text, const Scene& scene, const Insert& edit) {
-    if (edit.nodes.front().type->meta.kind == NodeKind::record) return insert_material(text, edit.nodes.front(), edit.index);
+    if (edit.nodes.front().type->meta.kind == NodeKind::record) return insert_material(text, edit.nodes.front(), edit.index - included_materials(scene));
     const Node* beside = edit.parent ? scene.find(edit.parent) : nullptr;
     const std::string block = edit.text.empty() ? write_item(edit.nodes, text.style(beside)) : edit.text;
-    return text.insert(indices_of(scene, edit.parent), edit.index, item_text(block));
+    return text.insert(indices_of(scene, edit.parent), index_in_text(scene, edit.parent, edit.index), item_text(block));
 }
 
 Result<void> rewrite(Rewriting& text, const Scene& scene, const Remove& edit) {
@@ -47,14 +48,15 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Move& edit) {
     if (const auto removed = text.remove(parent_of(from), from.back()); !removed) return removed;
     Scene without = scene;
     without.take(edit.node);
-    return text.insert(indices_of(without, edit.parent), edit.index, *item);
+    return text.insert(indices_of(without, edit.parent), index_in_text(without, edit.parent, edit.index), *item);
 }
 
 Result<void> rewrite(Rewriting& text, const Scene& scene, const Wrap& edit) {
     const Indices parent = indices_of(scene, edit.parent);
+    const int first = index_in_text(scene, edit.parent, edit.first);
     std::vector<std::string> blocks, flows;
     for (int i = 0; i < edit.count; ++i) {
-        const Result<ItemText> item = text.item(parent, edit.first + i);
+        const Result<ItemText> item = text.item(parent, first + i);
         if (!item) return tl::unexpected(item.error());
         blocks.push_back(item->block);
         flows.push_back(item->flow);
@@ -66,9 +68,9 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Wrap& edit) {
         entries.push_back(fmt::format("children: [{}]", fmt::join(flows, ", ")));
         wrapper.flow = fmt::format("{}: {}", edit.wrapper.type->key(), flow_map(entries));
     }
-    if (const auto inserted = text.insert(parent, edit.first, wrapper); !inserted) return inserted;
+    if (const auto inserted = text.insert(parent, first, wrapper); !inserted) return inserted;
     for (int i = edit.count; i-- > 0;)
-        if (const auto removed = text.remove(parent, edit.first + 1 + i); !removed) return removed;
+        if (const auto removed = text.remove(parent, first + 1 + i); !removed) return removed;
     return {};
 }
 
@@ -207,6 +209,20 @@ Result<void> rewrite(Rewriting& text, const Scene& scene, const Rename& edit) {
     return text.write(std::move(names).in_order());
 }
 
+/// An item of a list in a file that the table includes.
+Result<std::string> text_elsewhere(const Reading& now, const Node& node) {
+    const SourceText* source = now.scene.sources.find(node.key);
+    for (const auto& [path, file] : now.files) {
+        if (file->source.get() != source) continue;
+        const YamlNode* item = find_entry(*file->tree, node).owner;
+        const YamlNode* list = item ? item->parent : nullptr;
+        if (!list || list->kind != YamlKind::sequence) break;
+        const auto index = std::find(list->items.begin(), list->items.end(), item) - list->items.begin();
+        return item_text(source->text(), *list, static_cast<std::size_t>(index)).block;
+    }
+    return failure("the text does not hold the node");
+}
+
 }  // namespace
 
 Result<std::vector<TextPatch>> structure_patches(const Reading& now, const Edit& edit) {
@@ -218,6 +234,7 @@ Result<std::vector<TextPatch>> structure_patches(const Reading& now, const Edit&
 
 Result<std::string> text_of_node(const Reading& now, NodeId node) {
     if (now.scene.find(node)->is_record()) return failure("only nodes of the scene are items of a list");
+    if (is_included(now.scene.find(node)->key)) return text_elsewhere(now, *now.scene.find(node));
     Indices indices = indices_of(now.scene, node);
     const int last = indices.back();
     const Result<ItemText> item = Rewriting(now).item(parent_of(std::move(indices)), last);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "engine/io/include_reader.h"
 #include "engine/io/section.h"
 #include "engine/scene/validate.h"
 
@@ -22,8 +24,20 @@ void report_unknown_section(ReadContext& context, const YamlNode& root, std::siz
     }
     std::vector<std::string_view> keys;
     for (const Section* section : all_sections())
-        if (section->read) keys.push_back(section->key);
+        if (section->read || section->read_all) keys.push_back(section->key);
     context.report(Code::unknown_key, key.span, fmt::format("a table has no {}", key.text), suggestion(key.text, keys));
+}
+
+void read_section(ReadContext& context, Scene& scene, const YamlNode& root, std::size_t i, const Section& section) {
+    const YamlNode& key = root.key(i);
+    if (context.source().file() != main_file && !section.why_not_included.empty())
+        context.report(Code::misplaced_section, key.span, fmt::format("{} can stand in the table's own file only: {}", key.text, section.why_not_included),
+                       "move it there");
+    else if (section.read)
+        section.read(context, scene, key, root.value(i).resolved());
+    else if (!section.read_all)
+        context.report(section.unsupported, key.span,
+                       fmt::format("{} {} not supported yet", key.text, key.text.ends_with('s') ? "are" : "is"));
 }
 
 void read_sections(ReadContext& context, Scene& scene, const YamlNode& root, Section::Phase phase) {
@@ -32,68 +46,122 @@ void read_sections(ReadContext& context, Scene& scene, const YamlNode& root, Sec
         if (!is_plain_key(key)) continue;
         const Section* section = find_section(key.text);
         if ((section ? section->phase : Section::Phase::as_it_stands) != phase) continue;
-        if (!section)
-            report_unknown_section(context, root, i);
-        else if (!section->read)
-            context.report(section->unsupported, key.span,
-                           fmt::format("{} {} not supported yet", key.text, key.text.ends_with('s') ? "are" : "is"));
-        else
-            section->read(context, scene, key, root.value(i).resolved());
+        if (section) read_section(context, scene, root, i, *section);
+        else report_unknown_section(context, root, i);
     }
 }
 
-/// Params and templates that nothing depends on: often a name that was misspelt elsewhere.
+/// What each of the table's files says in a section, in their order.
+std::vector<SectionText> texts_of(const ReadContext& context, const Section& section) {
+    std::vector<SectionText> out;
+    for (const TableText& file : context.files)
+        for (std::size_t i = 0; i < file.root->entries(); ++i)
+            if (const YamlNode& key = file.root->key(i); is_plain_key(key) && key.text == section.key)
+                out.push_back({file.text, &file.root->value(i).resolved()});
+    return out;
+}
+
+void read_phase(ReadContext& context, Scene& scene, Section::Phase phase) {
+    for (const Section* section : all_sections())
+        if (section->read_all && section->phase == phase) section->read_all(context, scene, texts_of(context, *section));
+    for (const TableText& file : context.files) {
+        const InText there(context, file.text);
+        read_sections(context, scene, *file.root, phase);
+    }
+}
+
+/// Params and templates that nothing depends on: often a name that was misspelt elsewhere. What is included may hold more than one table uses.
 void report_unused(ReadContext& context, const Scene& scene) {
     if (has_errors(context.diagnostics)) return;  // what could not be read may use them
     for (const Param& param : scene.params)
-        if (!context.table_names.is_used(param.name))
+        if (!is_included(param.where) && !context.table_names.is_used(param.name))
             context.report(diagnose(Code::unused_param, param.where, fmt::format("nothing depends on the param {}", param.name)));
     for (const auto& [name, text] : context.templates)
-        if (!text.is_used)
+        if (!text.is_used && text.text == &context.source())
             context.report(Code::unused_template, text.key->span, fmt::format("nothing uses the template {}", name));
 }
 
-void read_root(ReadContext& context, Scene& scene, const YamlNode& root) {
-    const Span begin{root.span.begin, root.span.begin};
-    if (!root.find("pinfield"))
-        context.report(Code::missing_version, begin, "the file does not say its version", "begin with: pinfield: 1");
-    context.names = &context.table_names;
-    for (const auto phase : {Section::Phase::params, Section::Phase::templates, Section::Phase::as_it_stands})
-        read_sections(context, scene, root, phase);
-    if (context.full()) return;
-    for (Diagnostic& found : check_relations(scene, context.limits.errors)) context.report(std::move(found));
-    read_sections(context, scene, root, Section::Phase::after_nodes);
-    report_unused(context, scene);
-    const YamlNode* nodes = root.find("scene");
-    if (!nodes || nodes->is_empty()) context.report(Code::empty_scene, begin, "the table has no scene");
+void report_missing_versions(ReadContext& context) {
+    for (const TableText& file : context.files) {
+        const InText there(context, file.text);
+        const std::size_t begin = file.root->span.begin;
+        if (!file.root->find("pinfield"))
+            context.report(Code::missing_version, {begin, begin}, "the file does not say its version", "begin with: pinfield: 1");
+    }
 }
 
-Reading read_tree(const Sources& sources, const std::shared_ptr<const YamlTree>& tree, const std::shared_ptr<const Catalog>& catalog,
-                  const Limits& limits, const std::map<std::string, double>* set_params) {
-    Reading result{tree, Scene(catalog), tree->diagnostics};
-    result.scene.sources = sources;
+bool has_nodes(const TableText& file) {
+    const YamlNode* nodes = file.root->find("scene");
+    return nodes && !nodes->is_empty();
+}
+
+void read_root(ReadContext& context, Scene& scene, const YamlNode& root) {
+    context.names = &context.table_names;
+    read_sections(context, scene, root, Section::Phase::includes);
+    context.files.push_back({&context.source(), &root});
+    report_missing_versions(context);
+    for (const auto phase : {Section::Phase::params, Section::Phase::templates, Section::Phase::as_it_stands})
+        read_phase(context, scene, phase);
+    if (context.full()) return;
+    for (Diagnostic& found : check_relations(scene, context.limits.errors)) context.report(std::move(found));
+    read_phase(context, scene, Section::Phase::after_nodes);
+    report_unused(context, scene);
+    if (std::none_of(context.files.begin(), context.files.end(), has_nodes))
+        context.report(Code::empty_scene, {root.span.begin, root.span.begin}, "the table has no scene");
+}
+
+/// In the order of the texts.
+void sort(Diagnostics& diagnostics) {
+    std::stable_sort(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& a, const Diagnostic& b) {
+        return std::pair(a.where.file.value, a.where.span.begin) < std::pair(b.where.file.value, b.where.span.begin);
+    });
+}
+
+/// What a table is read from beside its text.
+struct Given {
+    const OpenFile& open;
+    const TableFiles& known;
+    const std::map<std::string, double>* set_params = nullptr;
+};
+
+Reading read_tree(const std::shared_ptr<const SourceText>& source, const std::shared_ptr<const YamlTree>& tree, const std::shared_ptr<const Catalog>& catalog,
+                  const Limits& limits, const Given& given) {
+    Reading result{tree, Scene(catalog), tree->diagnostics, given.open};
+    result.scene.sources = Sources(source);
     if (!tree->root) return result;
-    ReadContext context{sources.main(), *catalog, limits, result.diagnostics, set_params};
+    Inclusion inclusion(*source, *tree, given.open, given.known);
+    ReadContext context{source.get(), *catalog, limits, result.diagnostics, given.set_params};
+    context.inclusion = &inclusion;
     const YamlNode& root = *tree->root;
     if (root.kind != YamlKind::map) {
         context.report(Code::wrong_shape, root.span, "a table is a map of sections", "begin with: pinfield: 1");
         return result;
     }
     read_root(context, result.scene, root);
-    std::stable_sort(result.diagnostics.begin(), result.diagnostics.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) { return a.where.span.begin < b.where.span.begin; });
+    result.files = std::move(inclusion).files();
+    sort(result.diagnostics);
     return result;
+}
+
+Reading read_text(const std::shared_ptr<const SourceText>& source, const std::shared_ptr<const Catalog>& catalog, const Limits& limits, const Given& given) {
+    const auto tree = std::make_shared<const YamlTree>(read_yaml(*source, limits));
+    return read_tree(source, tree, catalog, limits, given);
 }
 
 }  // namespace
 
-Reading read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalog> catalog, const Limits& limits) {
-    const auto tree = std::make_shared<YamlTree>(read_yaml(*source, limits));
-    return read_tree(Sources(std::move(source)), tree, catalog, limits, nullptr);
+Reading read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalog> catalog, const Limits& limits, const OpenFile& open) {
+    const TableFiles none;
+    return read_text(source, catalog, limits, {open, none});
+}
+
+Reading read_again(const Reading& now, std::string text, const Limits& limits) {
+    return read_text(std::make_shared<const SourceText>(now.source().name(), std::move(text), now.source().file()), now.scene.shared_catalog(), limits,
+                     {now.open, now.files});
 }
 
 Reading read_with_params(const Reading& now, const std::map<std::string, double>& values, const Limits& limits) {
-    return read_tree(now.scene.sources, now.tree, now.scene.shared_catalog(), limits, &values);
+    return read_tree(now.scene.sources.shared_main(), now.tree, now.scene.shared_catalog(), limits, {now.open, now.files, &values});
 }
 
 }  // namespace pinfield

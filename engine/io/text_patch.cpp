@@ -125,9 +125,7 @@ private:
     /// Reads the text with these patches, which must say what is expected.
     Result<void> prove(std::vector<TextPatch> patches) {
         if (patches.empty()) return {};
-        const SourceText& source = reading_->source();
-        Reading after = read_table(std::make_shared<const SourceText>(source.name(), patched(source.text(), patches), source.file()),
-                                   now_.scene.shared_catalog(), limits_);
+        Reading after = read_again(*reading_, patched(reading_->source().text(), patches), limits_);
         ++readings_;
         if (const auto why = refute(after, expected_)) return failure(*why);
         after.scene.take_ids_of(expected_);

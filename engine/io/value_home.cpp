@@ -36,19 +36,28 @@ struct ArgumentPlace {
     std::string item;                 ///< what the use is called
 };
 
+/// What a template of any of the table's files takes; null: nothing, or there is none.
+const YamlNode* arguments_of(const Reading& now, std::string_view name) {
+    std::vector<const YamlTree*> trees{now.tree.get()};
+    for (const auto& [path, file] : now.files) trees.push_back(file->tree.get());
+    for (const YamlTree* tree : trees) {
+        const YamlNode* templates = tree->root ? tree->root->find("templates") : nullptr;
+        if (const YamlNode* body = templates ? templates->find(name) : nullptr) return body->find("args");
+    }
+    return nullptr;
+}
+
 /// The innermost template that made the node, as an argument's home.
 std::optional<ArgumentPlace> argument_place(const Reading& now, const Node& node, const std::string& name) {
     auto origin = node.origin;
     while (origin && !origin->what.starts_with("the template ")) origin = origin->outer;
-    const YamlNode* key = origin ? node_at(*now.tree, origin->where.span) : nullptr;
+    const YamlNode* key = origin && origin->where.file == main_file ? node_at(*now.tree, origin->where.span) : nullptr;
     if (!key || !key->parent || key->parent->kind != YamlKind::map) return {};
     ArgumentPlace place;
     place.use = &key->parent->value(0).resolved();
     if (place.use->kind != YamlKind::map) return {};
     const YamlNode *word = place.use->find("template"), *id = place.use->find("id");
-    const YamlNode* templates = now.tree->root->find("templates");
-    const YamlNode* body = word && templates ? templates->find(word->text) : nullptr;
-    const YamlNode* args = body ? body->find("args") : nullptr;
+    const YamlNode* args = word ? arguments_of(now, word->text) : nullptr;
     if (!args || args->entry_of(name) == args->entries()) return {};
     place.initial = args->find(name);
     place.with = place.use->find("with");
@@ -77,7 +86,7 @@ private:
         if (!seen_.insert(name).second) return;
         if (const Param* param = find_param(now_.scene, name)) {
             if (param->is_calculated) add_text(param->value.text);
-            else names_.push_back(name);
+            else if (param->value_where.file == main_file) names_.push_back(name);
             return;
         }
         const auto argument = argument_place(now_, node_, name);
@@ -191,9 +200,11 @@ std::vector<ValueHome> homes_of(const Reading& now, const SetField& edit) {
     }
     if (is_number(slot.value))
         for (const std::string& name : params.names()) out.push_back({ValueHome::Kind::param, name, fmt::format("the param {}", name), 1});
-    const std::vector<NodeId> all = scene.all();
-    const auto same = std::count_if(all.begin(), all.end(), [&](NodeId id) { return is_same_line(scene, edit, *scene.find(id)); });
-    out.push_back({ValueHome::Kind::line, {}, line_told(node, slot), static_cast<int>(same)});
+    if (node.key.file == main_file) {
+        const std::vector<NodeId> all = scene.all();
+        const auto same = std::count_if(all.begin(), all.end(), [&](NodeId id) { return is_same_line(scene, edit, *scene.find(id)); });
+        out.push_back({ValueHome::Kind::line, {}, line_told(node, slot), static_cast<int>(same)});
+    }
     if (const Node* maker = maker_of(scene, edit.node))
         out.push_back({ValueHome::Kind::own, scene.path(maker->id), fmt::format("here only: {} is written out", scene.path(maker->id)), 1});
     return out;

@@ -28,7 +28,7 @@ struct ValueHome {
 /// Is the value one that SetField cannot change, since it stands elsewhere or as an expression?
 bool stands_elsewhere(const Scene& scene, const SetField& edit);
 
-/// Where it may be changed, the nearest first; none where the field stands at the node itself as a plain value.
+/// Where it may be changed, the nearest first; none where the field stands at the node itself as a plain value, or in another file.
 std::vector<ValueHome> homes_of(const Reading& now, const SetField& edit);
 
 /// The text changed there so that the field has this value, as near as its numbers are written (1 nm at a line, 1 um in a param or

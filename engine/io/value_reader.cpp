@@ -204,7 +204,7 @@ std::optional<Value> as_value(std::optional<std::string> text) {
 }  // namespace
 
 void report_missing_value(ReadContext& context, const YamlNode& key, const YamlNode& value) {
-    const std::string_view text = context.source.text();
+    const std::string_view text = context.source().text();
     if (const auto color = color_in_comment(text, value.span.begin, line_end(text, value.span.begin)))
         return context.report(Code::comment_ate_value, {*color, *color + 1},
                               fmt::format("this # begins a comment, so {} has no value", key.text),
@@ -218,7 +218,7 @@ bool report_comma_split(ReadContext& context, const YamlNode& value) {
         return false;
     // Its own field may have reported it already.
     const auto reported = [&](const Diagnostic& d) {
-        return d.where == context.source.place(value.span) && d.code == entry(Code::comma_split).code;
+        return d.where == context.source().place(value.span) && d.code == entry(Code::comma_split).code;
     };
     if (std::none_of(context.diagnostics.begin(), context.diagnostics.end(), reported))
         context.report(Code::comma_split, value.span, "a comma split this expression", "quote it");

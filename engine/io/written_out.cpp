@@ -82,8 +82,7 @@ Result<PatchedText> patch_written_out(const Reading& now, NodeId node, const Lim
     std::sort(splices.begin(), splices.end(), [](const Splice& a, const Splice& b) { return a.replaced.begin < b.replaced.begin; });
     if (const auto written = rewriting.write(std::move(splices)); !written) return tl::unexpected(written.error());
 
-    const SourceText& source = now.source();
-    PatchedText out{{}, read_table(std::make_shared<const SourceText>(source.name(), rewriting.text(), source.file()), now.scene.shared_catalog(), limits), 1};
+    PatchedText out{{}, read_again(now, rewriting.text(), limits), 1};
     for (const Diagnostic& d : out.reading.diagnostics)
         if (d.severity == Severity::error) return failure(d.message);
     if (!same_content(out.reading.scene, expected)) return failure("the table would become another one");

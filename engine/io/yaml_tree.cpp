@@ -70,7 +70,8 @@ public:
           limits_(limits),
           tree_(tree),
           mark_offset_(byte_order_mark(text_)),
-          bytes_(text_.substr(mark_offset_), 16 * limits.scalar_bytes) {}
+          bytes_(text_.substr(mark_offset_), 16 * limits.scalar_bytes),
+          expanded_(limits.events_before) {}
 
     /// Parses the whole text; the tree has no root when it could not be read to its end.
     void parse() {
@@ -355,7 +356,7 @@ private:
     std::vector<Open> open_;
     std::vector<std::set<std::string_view>> keys_;  // of each open map
     std::map<YAML::anchor_t, YamlNode*> anchors_;
-    std::uint64_t expanded_ = 0;
+    std::uint64_t expanded_;
 };
 
 }  // namespace

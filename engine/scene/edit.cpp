@@ -8,6 +8,7 @@
 
 #include "engine/core/at.h"
 #include "engine/core/keys.h"
+#include "engine/scene/elsewhere.h"
 #include "engine/scene/validate.h"
 
 namespace pinfield {
@@ -18,16 +19,6 @@ using Reason = std::optional<std::string>;
 bool is_id_field(const FieldType& field) { return field.common && field.meta.meaning == Meaning::id; }
 
 Reason gone() { return "the node no longer exists"; }
-
-/// Where a node may be put: the parent exists, takes children, and has the place. `leaving`: how many of its children go away first.
-Reason why_no_place(const Scene& scene, NodeId parent, int index, int leaving) {
-    if (parent && !scene.find(parent)) return "the node to put it into no longer exists";
-    if (parent && scene.find(parent)->type->meta.children.max == 0)
-        return fmt::format("{} takes no children", scene.find(parent)->type->key());
-    const int count = static_cast<int>(scene.children_of(parent).size()) - leaving;
-    if (index < 0 || index > count) return "there is no such place among the children";
-    return {};
-}
 
 /// The first expectation of the tests that counts the hits of something that goes by this name.
 const TableTest::Expectation* expectation_of(const Scene& scene, const std::string& name) {
@@ -48,9 +39,9 @@ Reason why_still_needed(const Scene& scene, const Subtree& nodes) {
 /// What a template or copies made has no lines of its own, and children that are made have no list that another could stand in.
 Reason why_made(const Scene& scene, NodeId id) {
     const Node* node = scene.find(id);
-    if (!node || !node->origin) return {};
-    return fmt::format("{} is made by {} (line {}): change it there", scene.path(id), node->origin->what,
-                       scene.sources.line_column(node->origin->where).line);
+    if (!node) return {};
+    if (!node->origin) return why_elsewhere(scene, scene.path(id), node->key);
+    return fmt::format("{} is made by {} ({}): change it there", scene.path(id), node->origin->what, line_in_table(scene, node->origin->where));
 }
 Reason why_closed(const Scene& scene, NodeId id) {
     if (auto why = why_made(scene, id)) return why;
@@ -59,9 +50,19 @@ Reason why_closed(const Scene& scene, NodeId id) {
     return fmt::format("what is in {} is made by its {}: change it there", scene.path(id), node->generator->is_group ? "template" : "copies");
 }
 
+/// Where a node may be put: the parent exists, takes children, and has the place. `leaving`: how many of its children go away first.
+Reason why_no_place(const Scene& scene, NodeId parent, int index, int leaving) {
+    if (parent && !scene.find(parent)) return "the node to put it into no longer exists";
+    if (parent && scene.find(parent)->type->meta.children.max == 0)
+        return fmt::format("{} takes no children", scene.find(parent)->type->key());
+    const int count = static_cast<int>(scene.children_of(parent).size()) - leaving;
+    if (index < 0 || index > count) return "there is no such place among the children";
+    return why_before_included(index, included_children(scene, parent));
+}
+
 /// A number that is written as an expression is changed where the expression stands: an edit would flatten it.
 Reason why_fixed(const Scene& scene, const FieldType& field, const FieldSlot& slot) {
-    const std::string line = slot.where ? fmt::format(" in line {}", scene.sources.line_column(slot.where).line) : "";
+    const std::string line = slot.where ? fmt::format(" in {}", line_in_table(scene, slot.where)) : "";
     return fmt::format("{} is written as `{}`{}: change it in the text", field.key, slot.written->front().text, line);
 }
 
@@ -74,7 +75,7 @@ Reason why_impossible(const Scene& scene, const Insert& edit) {
         if (!node.id || scene.find(node.id)) return "a node to insert is in the scene already";
     if (!edit.nodes.front().is_record()) return why_no_place(scene, edit.parent, edit.index, 0);
     if (edit.index < 0 || edit.index > static_cast<int>(scene.materials().size())) return "there is no such place among the materials";
-    return {};
+    return why_before_included(edit.index, included_materials(scene));
 }
 
 Reason why_impossible(const Scene& scene, const Remove& edit) {
@@ -99,6 +100,7 @@ Reason why_impossible(const Scene& scene, const Wrap& edit) {
     if (auto why = why_closed(scene, edit.parent)) return why;
     const int count = static_cast<int>(scene.children_of(edit.parent).size());
     if (edit.first < 0 || edit.count < 1 || edit.first + edit.count > count) return "there are no such children";
+    if (edit.first < included_children(scene, edit.parent)) return why_made(scene, at(scene.children_of(edit.parent), edit.first));
     if (!edit.wrapper.id || scene.find(edit.wrapper.id)) return "the node to wrap them in is in the scene already";
     if (edit.wrapper.type->meta.children.max == 0) return fmt::format("{} takes no children", edit.wrapper.type->key());
     return {};
@@ -130,6 +132,8 @@ Reason why_impossible(const Scene& scene, const Rename& edit) {
         const auto& inputs = scene.inputs;
         if (std::none_of(inputs.begin(), inputs.end(), [&](const InputBinding& input) { return input.name == edit.from; }))
             return fmt::format("no input is called {}", edit.from);
+        for (const InputBinding& input : inputs)
+            if (auto why = input.name == edit.from ? why_elsewhere(scene, input.name, input.where) : std::nullopt) return why;
     } else if (!scene.find(edit.node) || scene.find(edit.node)->name != edit.from) {
         return gone();
     }
@@ -141,6 +145,7 @@ Reason why_impossible(const Scene& scene, const Rename& edit) {
     }
     const bool is_material = edit.node && scene.find(edit.node)->is_record();
     if (is_material || !edit.node) {
+        if (auto why = why_named_elsewhere(scene, edit.from, is_material ? Meaning::material : Meaning::input)) return why;
         if (!is_name(edit.to)) return fmt::format("{} is not a valid id: use small letters, digits and _", edit.to);
     } else if (edit.to.empty()) {
         return why_still_needed(scene, {*scene.find(edit.node)});
@@ -182,16 +187,22 @@ Reason why_impossible(const Scene& scene, const InsertInput& edit) {
     if (edit.index < 0 || edit.index > static_cast<int>(scene.inputs.size())) return no_such("place among the inputs");
     if (!is_name(edit.input.name)) return fmt::format("{} is not a valid id: use small letters, digits and _", edit.input.name);
     if (is_id_taken(scene, edit.input.name, {})) return taken_id(edit.input.name);
+    if (auto why = why_before_included(edit.index, included_inputs(scene))) return why;
     return why_no_keys(edit.input.keys);
 }
 
 Reason why_impossible(const Scene& scene, const RemoveInput& edit) {
     if (!is_in(edit.index, scene.inputs.size())) return no_such("input");
-    return user_of_input(scene, at(scene.inputs, edit.index).name);
+    const InputBinding& input = at(scene.inputs, edit.index);
+    if (auto why = why_elsewhere(scene, input.name, input.where)) return why;
+    return user_of_input(scene, input.name);
 }
 
 Reason why_impossible(const Scene& scene, const SetKeys& edit) {
-    return is_in(edit.index, scene.inputs.size()) ? why_no_keys(edit.keys) : no_such("input");
+    if (!is_in(edit.index, scene.inputs.size())) return no_such("input");
+    const InputBinding& input = at(scene.inputs, edit.index);
+    if (auto why = why_elsewhere(scene, input.name, input.where)) return why;
+    return why_no_keys(edit.keys);
 }
 
 Reason why_impossible(const Scene& scene, const InsertTest& edit) {

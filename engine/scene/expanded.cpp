@@ -63,6 +63,7 @@ void write_out(Scene& scene, const std::vector<NodeId>& nodes) {
 
 Scene expanded(Scene scene) {
     write_out(scene, scene.all());
+    scene.includes.clear();
     scene.params.clear();
     scene.templates.clear();
     return scene;

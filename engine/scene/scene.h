@@ -150,8 +150,9 @@ public:
     std::vector<std::string> layers(NodeId id) const;
 
     Sources sources;  ///< the texts that places in the scene refer to; none when it was not read from a text
+    std::vector<std::string> includes;  ///< files whose contents are here, as the table names them; empty: all is the table's own
     std::vector<Param> params;
-    std::string templates;  ///< the entries of the section, as lines; empty: there are none
+    std::string templates;  ///< the entries of the table's own section, as lines; empty: there are none
     std::vector<InputBinding> inputs;
     std::vector<TableTest> tests;
 

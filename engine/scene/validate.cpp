@@ -26,9 +26,9 @@ std::string count_allowed(ChildCount allowed) {
     return fmt::format("{} to {} children", allowed.min, allowed.max);
 }
 
-/// Where something else is, for a hint: its line, or, in a scene that no text was read for, its path.
-std::string whereabouts(const Scene& scene, const Place& place, NodeId node) {
-    if (place) return fmt::format("line {}", scene.sources.line_column(place).line);
+/// Where something else is, for a hint at `here`: its line, or, in a scene that no text was read for, its path.
+std::string whereabouts(const Scene& scene, const Place& here, const Place& place, NodeId node) {
+    if (place) return scene.sources.line_from(here, place);
     return node ? scene.path(node) : "the table";
 }
 
@@ -48,7 +48,7 @@ void check_ids(const Scene& scene, std::size_t most, Diagnostics& findings) {
     for (const InputBinding& input : scene.inputs) {
         const auto [first, is_new] = taken.emplace(input.name, Holder{{}, input.where});
         if (!is_new && !first->second.node && findings.size() <= most)
-            findings.push_back(diagnose(Code::duplicate_id, input.where, taken_id(input.name), whereabouts(scene, first->second.where, {}) + " has it"));
+            findings.push_back(diagnose(Code::duplicate_id, input.where, taken_id(input.name), whereabouts(scene, input.where, first->second.where, {}) + " has it"));
     }
     for (const NodeId id : scene.all()) {
         const Node& node = *scene.find(id);
@@ -56,9 +56,10 @@ void check_ids(const Scene& scene, std::size_t most, Diagnostics& findings) {
         const auto [first, is_new] = taken.emplace(node.name, Holder{id, node.key});
         if (is_new) continue;
         if (findings.size() > most) return;
-        findings.push_back(through(node, diagnose(Code::duplicate_id, at(node.fields, *node.type->find_field("id")).where, taken_id(node.name),
+        const Place& here = at(node.fields, *node.type->find_field("id")).where;
+        findings.push_back(through(node, diagnose(Code::duplicate_id, here, taken_id(node.name),
                                                   node.origin ? "give each use an id of its own"
-                                                              : whereabouts(scene, first->second.where, first->second.node) + " has it")));
+                                                              : whereabouts(scene, here, first->second.where, first->second.node) + " has it")));
     }
 }
 
@@ -97,7 +98,7 @@ void check_domains(const Scene& scene, std::size_t most, Diagnostics& findings) 
                 Code::second_domain, node.key,
                 fmt::format("a second {} on {}", node.type->key(), layer == ground_layer_name ? "the ground layer" : "layer " + layer),
                 fmt::format("the first is in {}; one holds several shapes as children",
-                            whereabouts(scene, scene.find(first->second)->key, first->second))));
+                            whereabouts(scene, node.key, scene.find(first->second)->key, first->second))));
         }
     }
 }

@@ -37,20 +37,21 @@ TEST_CASE("check is silent about what is right and exits 0") {
 
 TEST_CASE("check says of every wrong table what and where, on stdout, with the source line and a caret, and exits 1 for errors") {
     const std::vector<fs::path> files = yaml_files("scenes/invalid");
-    CHECK(files.size() >= 25);
-    const std::regex promise(R"(# expect ([EW]\d{4}) (\d+):(\d+).*)");
+    CHECK(files.size() >= 120);
+    const std::regex promise(R"(# expect ([EW]\d{4}) (?:(\S+):)?(\d+):(\d+).*)");
     for (const fs::path& file : files) {
         INFO(file);
         std::smatch expected;
         const std::string first = lines_of(slurp(file)).at(0);
         REQUIRE(std::regex_match(first, expected, promise));
-        const std::string code = expected[1], place = fmt::format(":{}:{}: ", expected[2].str(), expected[3].str());
+        const std::string code = expected[1], place = fmt::format(":{}:{}: ", expected[3].str(), expected[4].str());
+        const fs::path there = expected[2].matched ? file.parent_path() / expected[2].str() : file;
         const bool is_error = code[0] == 'E';
 
         const Outcome outcome = run_pinfield("check " + file.string());
         CHECK(outcome.exit == (is_error ? 1 : 0));
         CHECK(outcome.err.empty());
-        CHECK_THAT(outcome.out, Catch::Contains(file.string() + place + (is_error ? "error: " : "warning: ")));
+        CHECK_THAT(outcome.out, Catch::Contains(there.string() + place + (is_error ? "error: " : "warning: ")));
         CHECK_THAT(outcome.out, Catch::Contains("[" + code + "]"));
         CHECK_THAT(outcome.out, Catch::Contains("^\n"));
     }

@@ -20,7 +20,13 @@ namespace {
 const std::set<Code> without_example{
     Code::not_utf8,       Code::control_character, Code::file_too_large,  Code::too_deep,            Code::too_many_events,     Code::scalar_too_long,
     Code::too_many_nodes, Code::too_many_points,   Code::too_many_errors, Code::expression_too_deep, Code::expression_too_long, Code::too_many_params,
-    Code::offset_of_bound,
+    Code::too_many_includes, Code::table_too_large, Code::offset_of_bound,
+};
+
+/// The files that examples include.
+const std::map<std::string, std::string> beside_examples{
+    {"parts/walls.yaml", "pinfield: 1\nscene: [box: {id: wall, size: [10cm, 1cm], at: [20cm, 20cm]}]\n"},
+    {"other_table.yaml", "pinfield: 1\ntable: {name: Other}\nscene: [circle: {at: [10cm, 10cm]}]\n"},
 };
 
 /// Nodes as the scene of a table; a whole table as it is.
@@ -38,7 +44,8 @@ std::vector<std::string> codes_in(Code code, std::string_view example) {
     if (code == Code::unknown_step) {
         found = read_script(SourceText("script.yaml", std::string(example))).diagnostics;
     } else {
-        const Reading read = test::read(table_of(example));
+        const auto table = std::make_shared<const SourceText>("my_table.yaml", table_of(example));
+        const Reading read = read_table(table, catalog(), {}, folder_of(beside_examples));
         found = read.diagnostics;
         const auto add = [&](const Diagnostics& more) { found.insert(found.end(), more.begin(), more.end()); };
         const auto program = read.ok() ? compile(read.scene) : tl::make_unexpected(Diagnostics{});

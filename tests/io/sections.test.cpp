@@ -24,6 +24,7 @@ const std::map<std::string_view, Variants>& variants() {
         {"materials", {"{rubber: {restitution: 0.8}}", "{rubber: {restitution: 0.7}}"}},
         {"params", {"{gap: 4cm}", "{gap: {value: 4cm, min: 1cm}}"}},
         {"templates", {"{gear: {args: {r: 1cm}, nodes: [circle: {radius: r}]}}", "{gear: {args: {r: 2cm}, nodes: [circle: {radius: r}]}}"}},
+        {"include", {"[a.yaml]", "[b.yaml]"}},
         {"scene", {"[union: {id: u, children: [circle: {radius: 3cm}]}]", "[union: {id: u, children: [circle: {radius: 4cm}]}]"}},
         {"inputs", {"{left: Z}", "{left: [Z, A]}"}},
         {"tests", {"[{run: 1s, expect: u.hits >= 1}]", "[{run: 1s, expect: u.hits >= 2}]"}},
@@ -38,6 +39,8 @@ std::string table_with(std::string_view changed) {
     return text;
 }
 
+Reading read_beside(const std::string& text) { return read_with(text, {{"a.yaml", "pinfield: 1"}, {"b.yaml", "pinfield: 1"}}); }
+
 }  // namespace
 
 TEST_CASE("every section that is read is written, described and compared, and every other says why it is not") {
@@ -45,7 +48,7 @@ TEST_CASE("every section that is read is written, described and compared, and ev
         INFO(section->key);
         CHECK(find_section(section->key) == section);
         const bool has_code = section->unsupported != Code{};
-        CHECK(has_code == (section->read == nullptr));
+        CHECK(has_code == (section->read == nullptr && section->read_all == nullptr));
         CHECK((section->write == nullptr) == has_code);
         CHECK((section->schema == nullptr) == has_code);
         const bool says_something = !has_code && section->key != "pinfield";
@@ -55,19 +58,19 @@ TEST_CASE("every section that is read is written, described and compared, and ev
 }
 
 TEST_CASE("a change in one section is seen by its comparison and by no other's, and comes back from canonical text") {
-    const Reading one = read(table_with(""));
+    const Reading one = read_beside(table_with(""));
     INFO(told(one));
     REQUIRE(one.ok());
-    CHECK(same_content(one.scene, read(table_with("")).scene));
+    CHECK(same_content(one.scene, read_beside(table_with("")).scene));
     for (const auto& [changed, values] : variants()) {
         INFO(changed);
-        const Reading other = read(table_with(changed));
+        const Reading other = read_beside(table_with(changed));
         REQUIRE(other.ok());
         CHECK_FALSE(same_content(one.scene, other.scene));
         for (const Section* section : all_sections())
             if (section->same) CHECK(section->same(one.scene, other.scene) == (section->key != changed));
         const std::string canonical = write_table(other.scene);
-        CHECK(find_section(changed)->same(read(canonical).scene, other.scene));
-        CHECK(write_table(read(canonical).scene) == canonical);
+        CHECK(find_section(changed)->same(read_beside(canonical).scene, other.scene));
+        CHECK(write_table(read_beside(canonical).scene) == canonical);
     }
 }

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/core/rng.h"
@@ -24,6 +26,20 @@ inline std::shared_ptr<const Catalog> catalog() {
 
 inline Reading read(const std::string& text, const Limits& limits = {}) {
     return read_table(std::make_shared<const SourceText>("test.yaml", text), catalog(), limits);
+}
+
+/// A folder that holds these texts by their paths, and nothing else.
+inline OpenFile folder_of(std::map<std::string, std::string> files) {
+    return [files = std::move(files)](const std::string& path, std::size_t most) -> Result<FoundFile> {
+        const auto found = files.find(path);
+        if (found == files.end()) return failure("there is no " + path);
+        return FoundFile{path, found->second.substr(0, most)};
+    };
+}
+
+/// `main` as table.yaml beside these files.
+inline Reading read_with(const std::string& main, std::map<std::string, std::string> files, const Limits& limits = {}) {
+    return read_table(std::make_shared<const SourceText>("table.yaml", main), catalog(), limits, folder_of(std::move(files)));
 }
 
 inline std::string told(const Reading& result) {

@@ -133,6 +133,21 @@ constexpr Explanation all[] = {
      "same, as one shape.",
      "- union: {children: [circle: {copies: {count: 3, step: [5cm, 0]}}]}\n",
      "- union: {children: [repeat: {count: [3, 1], step: [5cm, 0], children: [circle: {radius: 1cm}]}]}\n"},
+    {Code::misplaced_section,
+     "A file that is included gives params, materials, templates, nodes and inputs. What there is one of for a whole table (`table:`, `physics:`, "
+     "`game:`) and its `tests:` stand in the table's own file. In the example other_table.yaml is a whole table.",
+     "pinfield: 1\ninclude: [other_table.yaml]\nscene: [circle: {}]\n",
+     "pinfield: 1\ninclude: [parts/walls.yaml]\nscene: [circle: {}]\n"},
+    {Code::cyclic_include,
+     "The file includes, in the end, itself: there would be no end to it. That two files include the same third one is fine, it is read once. "
+     "The example is my_table.yaml.",
+     "pinfield: 1\ninclude: [my_table.yaml]\nscene: [circle: {}]\n",
+     "pinfield: 1\ninclude: [parts/walls.yaml, ./parts/walls.yaml]\nscene: [circle: {}]\n"},
+    {Code::bad_path,
+     "A table includes what stands in its own folder and below it, so that a table from a stranger reads nothing else and a folder can be sent by "
+     "mail. Paths have / between their words on every system, and count from the folder of the file that says them.",
+     "pinfield: 1\ninclude: [../parts/walls.yaml]\nscene: [circle: {}]\n",
+     "pinfield: 1\ninclude: [parts/walls.yaml]\nscene: [circle: {}]\n"},
 };
 
 }  // namespace

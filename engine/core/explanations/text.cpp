@@ -112,6 +112,12 @@ constexpr Explanation all[] = {
     {Code::too_many_params,
      "There are more params, or arguments of one template, than are read. No few lines can show it.",
      "", ""},
+    {Code::too_many_includes,
+     "The table and the files it includes name more files than are read. Put several into one. No few lines can show it.",
+     "", ""},
+    {Code::table_too_large,
+     "The table and the files it includes have more bytes together than are read. No few lines can show it.",
+     "", ""},
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ void read_binding(ReadContext& context, Scene& scene, const YamlNode& key, const
         return context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for an input", key.text),
                               "small letters, digits and _");
     if (value.kind == YamlKind::null) return report_missing_value(context, key, value);
-    InputBinding binding{std::string(key.text), {}, context.source.place({key.span.begin, value.span.end})};
+    InputBinding binding{std::string(key.text), {}, context.source().place({key.span.begin, value.span.end})};
     std::vector<const YamlNode*> items{&value};
     if (value.kind == YamlKind::sequence) items.assign(value.items.begin(), value.items.end());
     for (const YamlNode* item : items) {
@@ -49,7 +49,8 @@ void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& s
 
 std::string write(const Scene& scene) {
     std::vector<std::string> entries;
-    for (const InputBinding& input : scene.inputs) entries.push_back(entry_of(input));
+    for (const InputBinding& input : scene.inputs)
+        if (!is_elsewhere(scene, input.where)) entries.push_back(entry_of(input));
     return entries.empty() ? std::string() : fmt::format("inputs: {}\n", flow_map(entries));
 }
 

@@ -28,16 +28,26 @@ void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& s
         else if (!is_name(key.text))
             context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for a material", key.text),
                            "small letters, digits and _");
-        else
+        else if (const auto [twin, is_new] = context.materials.emplace(key.text, context.source().place(key.span)); is_new)
             read_record(context, scene.add_material(std::string(key.text)), key, body);
+        else if (twin->second.file == context.source().file())
+            context.fail_silently();  // the reader of YAML has told
+        else
+            context.report(Code::duplicate_id, key.span, fmt::format("there is a material {} already", key.text),
+                           scene.sources.line_from(context.source().place(key.span), twin->second) + " has it");
     }
 }
 
 std::string write(const Scene& scene) {
-    std::string out = scene.materials().empty() ? "" : "materials:\n";
-    for (const NodeId id : scene.materials())
-        out += fmt::format("  {}: {}\n", scene.find(id)->name, flow_map(entries_of(*scene.find(id))));
-    return out;
+    std::string out;
+    FileId file = main_file;
+    for (const NodeId id : scene.materials()) {
+        const Node& material = *scene.find(id);
+        if (is_elsewhere(scene, material.key)) continue;
+        out += file_comment(scene, file, material.key);
+        out += fmt::format("  {}: {}\n", material.name, flow_map(entries_of(material)));
+    }
+    return out.empty() ? out : "materials:\n" + out;
 }
 
 }  // namespace

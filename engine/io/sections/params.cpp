@@ -18,6 +18,7 @@ namespace {
 
 /// A param as the text has it, and how far its value is known.
 struct Entry {
+    const SourceText* text = nullptr;  ///< that it stands in
     const YamlNode* key = nullptr;
     const YamlNode *value = nullptr, *min = nullptr, *max = nullptr, *step = nullptr, *label = nullptr, *unit = nullptr;
     enum class State : unsigned char { waiting, begun, done } state = State::waiting;
@@ -30,10 +31,10 @@ struct Entry {
 /// Values are worked out in whatever order they need each other.
 class Params {
 public:
-    explicit Params(ReadContext& context) : context_(context) {}
+    Params(ReadContext& context, const Sources& sources) : context_(context), sources_(sources) {}
 
     void take(const YamlNode& key, const YamlNode& value) {
-        Entry entry{.key = &key};
+        Entry entry{.text = &context_.source(), .key = &key};
         if (value.kind == YamlKind::map) take_map(entry, value);
         else entry.value = &value;
         if (!is_name(key.text) || is_reserved_name(key.text))
@@ -41,8 +42,9 @@ public:
                                    fmt::format("{} {}", shortened(key.text), is_name(key.text) ? "means something in every expression" : "is not a valid name for a param"),
                                    is_name(key.text) ? "call it otherwise" : "small letters, digits and _, not beginning with a digit");
         if (value.kind == YamlKind::null) return report_missing_value(context_, key, value);
+        if (const auto twin = entries_.find(key.text); twin != entries_.end()) return report_twin(key, twin->second);
         entry.param.name = key.text;
-        entry.param.where = context_.source.place(key.span);
+        entry.param.where = context_.source().place(key.span);
         context_.table_names.set(entry.param.name, {.kind = NamedValue::Kind::broken});
         order_.push_back(key.text);
         entries_.emplace(key.text, entry);
@@ -65,9 +67,17 @@ private:
             context_.report(Code::missing_field, entry.key->span, fmt::format("the param {} needs a value", entry.key->text));
     }
 
+    /// Of two in one file the reader of YAML has told.
+    void report_twin(const YamlNode& key, const Entry& twin) {
+        if (twin.text == &context_.source()) return context_.fail_silently();
+        const Place here = context_.source().place(key.span);
+        context_.report(Code::duplicate_id, key.span, taken_id(key.text), sources_.line_from(here, twin.param.where) + " has it");
+    }
+
     /// The params that an entry's numbers are made of come first.
     void resolve(Entry& entry) {
         if (entry.state != Entry::State::waiting) return;
+        const InText there(context_, entry.text);
         entry.state = Entry::State::begun;
         path_.push_back(entry.key->text);
         for (const YamlNode* number : entry.numbers())
@@ -114,7 +124,7 @@ private:
         const auto value = calculate(context_, *entry.value);
         if (!value) return false;
         param.value = {value->value, std::string(entry.value->text)};
-        param.value_where = context_.source.place(entry.value->span);
+        param.value_where = context_.source().place(entry.value->span);
         param.dimension = value->measure.dimension;
         param.is_bare = value->measure.bare;
         param.is_calculated = !value->is_literal;
@@ -165,19 +175,30 @@ private:
     }
 
     ReadContext& context_;
+    const Sources& sources_;
     std::map<std::string_view, Entry> entries_;
     std::vector<std::string_view> order_, path_;
 };
 
-void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& section) {
+/// Those of a file; `count`: those of the files before.
+void take_all(ReadContext& context, Params& params, const YamlNode& section, std::size_t& count) {
     if (section.is_empty()) return;
     if (section.kind != YamlKind::map)
         return context.report(Code::wrong_shape, section.span, "params are due here", "write params: {gap: 46mm}");
-    if (section.entries() > context.limits.params)
-        return context.report(Code::too_many_params, section.span, fmt::format("{} params; at most {} are read", section.entries(), context.limits.params));
-    Params params(context);
+    count += section.entries();
+    if (count > context.limits.params)
+        return context.report(Code::too_many_params, section.span, fmt::format("{} params; at most {} are read", count, context.limits.params));
     for (std::size_t i = 0; i < section.entries() && !context.full(); ++i)
         if (is_plain_key(section.key(i))) params.take(section.key(i), section.value(i).resolved());
+}
+
+void read_all(ReadContext& context, Scene& scene, std::span<const SectionText> texts) {
+    Params params(context, scene.sources);
+    std::size_t count = 0;
+    for (const SectionText& section : texts) {
+        const InText there(context, section.text);
+        take_all(context, params, *section.value, count);
+    }
     scene.params = std::move(params).run();
 }
 
@@ -198,9 +219,10 @@ std::string entry_of(const Param& param) {
 }
 
 std::string write(const Scene& scene) {
-    std::string out = scene.params.empty() ? "" : "params:\n";
-    for (const Param& param : scene.params) out += fmt::format("  {}\n", entry_of(param));
-    return out;
+    std::string out;
+    for (const Param& param : scene.params)
+        if (!is_elsewhere(scene, param.where)) out += fmt::format("  {}\n", entry_of(param));
+    return out.empty() ? out : "params:\n" + out;
 }
 
 std::string schema_text() {
@@ -214,7 +236,7 @@ std::string schema_text() {
 
 extern const Section params{
     .key = "params",
-    .read = read,
+    .read_all = read_all,
     .write = write,
     .schema = schema_text,
     .same = [](const Scene& a,

@@ -23,6 +23,7 @@ extern const Section table{
     .write = [](const Scene& scene) { return written(scene.table()); },
     .schema = [] { return schema::reference("table"); },
     .same = [](const Scene& a, const Scene& b) { return same_node(a, a.table(), b, b.table()); },
+    .why_not_included = "a table has one size, slope and name",
 };
 
 extern const Section physics{
@@ -32,6 +33,7 @@ extern const Section physics{
     .write = [](const Scene& scene) { return written(scene.physics()); },
     .schema = [] { return schema::reference("physics"); },
     .same = [](const Scene& a, const Scene& b) { return same_node(a, a.physics(), b, b.physics()); },
+    .why_not_included = "all that moves on a table has one clock and one ball",
 };
 
 }  // namespace pinfield::sections

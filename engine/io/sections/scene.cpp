@@ -11,7 +11,12 @@ extern const Section scene{
     .read = [](ReadContext& context, Scene& table, const YamlNode&, const YamlNode& value) { read_nodes(context, table, {}, value); },
     .write =
         [](const Scene& table) {
-            return table.roots().empty() ? std::string("scene: []\n") : "scene:\n" + write_nodes(table, table.roots(), 2);
+            std::string out;
+            FileId file = main_file;
+            for (const NodeId id : table.roots())
+                if (const Place& place = table.find(id)->where; !is_elsewhere(table, place))
+                    out += file_comment(table, file, place) + write_nodes(table, {id}, 2);
+            return out.empty() ? std::string("scene: []\n") : "scene:\n" + out;
         },
     .schema = [] { return schema::list(schema::reference("scene_node")); },
     .same = [](const Scene& a, const Scene& b) { return same_nodes(a, a.roots(), b, b.roots()); },

@@ -32,10 +32,20 @@ bool are_arguments(ReadContext& context, const YamlNode& args) {
     return context.errors_so_far() == errors;
 }
 
-void read_entry(ReadContext& context, const YamlNode& key, const YamlNode& body) {
+/// Of two in one file the reader of YAML has told.
+void report_twin(ReadContext& context, const Sources& sources, const YamlNode& key, const TemplateText& twin) {
+    if (twin.text == &context.source()) return context.fail_silently();
+    const std::string where = sources.line_from(context.source().place(key.span), twin.text->place(twin.key->span));
+    context.report(Code::duplicate_id, key.span, fmt::format("there is a template {} already", key.text), where + " has it");
+}
+
+/// Its text; null, and reported, where it has no name of its own.
+const TemplateText* read_entry(ReadContext& context, const Sources& sources, const YamlNode& key, const YamlNode& body) {
     if (!is_name(key.text))
-        return context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for a template", shortened(key.text)), "small letters, digits and _");
-    TemplateText text{.key = &key};
+        return context.report(Code::bad_name, key.span, fmt::format("{} is not a valid name for a template", shortened(key.text)), "small letters, digits and _"), nullptr;
+    if (const auto twin = context.templates.find(key.text); twin != context.templates.end())
+        return report_twin(context, sources, key, twin->second), nullptr;
+    TemplateText text{.key = &key, .text = &context.source()};
     if (body.kind != YamlKind::map) {
         context.report(Code::wrong_shape, body.span, "the nodes of a template are due here", fmt::format("write {}: {{nodes: [...]}}", key.text));
     } else {
@@ -46,14 +56,24 @@ void read_entry(ReadContext& context, const YamlNode& key, const YamlNode& body)
         });
         if (!body.find("nodes")) context.report(Code::missing_field, key.span, fmt::format("the template {} needs nodes", key.text));
     }
-    context.templates.emplace(key.text, text);
+    return &context.templates.emplace(key.text, text).first->second;
+}
+
+/// In one line. An argument without a value is one that every use must give.
+std::string written_arguments(const std::string& source, const YamlNode& args) {
+    std::vector<std::string> entries;
+    for (std::size_t i = 0; i < args.entries(); ++i) {
+        const YamlNode& value = args.value(i).resolved();
+        entries.push_back(fmt::format("{}: {}", args.key(i).text, value.is_empty() ? "~" : copy_in_line(source, value, Aliases::written_out)));
+    }
+    return flow_map(entries);
 }
 
 /// Its entry in lines: the arguments in one, and each node in one.
 std::string lines_of(const ReadContext& context, const TemplateText& text) {
-    const std::string& source = context.source.text();
+    const std::string& source = context.source().text();
     std::string out = fmt::format("  {}:\n", text.key->text);
-    if (text.args) out += fmt::format("    args: {}\n", copy_in_line(source, *text.args, Aliases::written_out));
+    if (text.args) out += fmt::format("    args: {}\n", written_arguments(source, *text.args));
     if (!text.nodes || text.nodes->kind != YamlKind::sequence || text.nodes->items.empty()) return out + "    nodes: []\n";
     out += "    nodes:\n";
     for (const YamlNode* item : text.nodes->items) {
@@ -71,8 +91,8 @@ void read(ReadContext& context, Scene& scene, const YamlNode&, const YamlNode& s
     for (std::size_t i = 0; i < section.entries() && !context.full(); ++i) {
         const YamlNode& key = section.key(i);
         if (!is_plain_key(key)) continue;
-        read_entry(context, key, section.value(i).resolved());
-        if (const auto text = context.templates.find(key.text); text != context.templates.end()) scene.templates += lines_of(context, text->second);
+        const TemplateText* text = read_entry(context, scene.sources, key, section.value(i).resolved());
+        if (text && context.source().file() == main_file) scene.templates += lines_of(context, *text);
     }
 }
 

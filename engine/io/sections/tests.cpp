@@ -24,7 +24,7 @@ void read_launch(ReadContext& context, TableTest& test, const YamlNode& node) {
         return context.report(Code::wrong_shape, node.span, "a launch is due here: {at: [x, y], velocity: [x, y]}");
     static const std::vector<std::string_view> keys{"at", "velocity"};
     TableTest::Launch launch;
-    launch.where = context.source.place(node.span);
+    launch.where = context.source().place(node.span);
     read_entries(context, "a launch", node, keys, [&](auto index, const YamlNode& value) {
         const Unit unit = index == 0 ? Unit::metre : Unit::metre_per_second;
         const auto read = read_value(
@@ -101,7 +101,7 @@ void read_expectation(ReadContext& context, const Quantities& known, TableTest& 
         return context.report(Code::unknown_quantity, node.span, fmt::format("nothing called {} is measured", quantity),
                               suggestion(quantity, std::vector<std::string_view>(known.named.begin(), known.named.end())));
     test.expectations.push_back(
-        {std::string(quantity), std::string(comparison), value->value, std::string(node.text), context.source.place(node.span)});
+        {std::string(quantity), std::string(comparison), value->value, std::string(node.text), context.source().place(node.span)});
 }
 
 /// One thing or a list of them.
@@ -142,7 +142,7 @@ void read_hands(ReadContext& context, const Scene& scene, TableTest& test, const
         else if (value.kind == YamlKind::null)
             report_missing_value(context, key, value);
         else
-            read_times(context, test.inputs.emplace_back(TableTest::Hand{std::string(key.text), {}, context.source.place(key.span)}), value);
+            read_times(context, test.inputs.emplace_back(TableTest::Hand{std::string(key.text), {}, context.source().place(key.span)}), value);
     }
 }
 
@@ -156,7 +156,7 @@ void read_test(ReadContext& context, Scene& scene, const Quantities& known, cons
         return context.report(Code::wrong_shape, node.span,
                               "a test is due here: {launch: {...}, run: 3s, expect: [...]}");
     TableTest test;
-    test.where = context.source.place(node.span);
+    test.where = context.source().place(node.span);
     read_entries(context, "a test", node, {"name", "launch", "inputs", "run", "expect"}, [&](auto index, const YamlNode& value) {
         if (index == 0) {
             read_name(context, test, value);
@@ -261,6 +261,7 @@ extern const Section tests{
     .same = [](const Scene& a,
                const Scene& b) { return std::equal(a.tests.begin(), a.tests.end(), b.tests.begin(), b.tests.end(), same_test); },
     .phase = Section::Phase::after_nodes,
+    .why_not_included = "a test tells of a whole table",
 };
 
 }  // namespace pinfield::sections
