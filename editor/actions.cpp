@@ -40,6 +40,7 @@ const std::vector<Action>& all_actions() {
         {"edit.group", "Group", "Edit", "Ctrl+G", "Put the selected nodes into a group of their own."},
         {"edit.unwrap", "Unwrap", "Edit", "Ctrl+Shift+G", "Take the children out of a group or operator; they stay where they are."},
         {"edit.write_out", "Write out", "Edit", "", "Give what a template, copies or a pair made lines of its own, in place of the item that makes it."},
+        {"edit.make_template", "Make a template", "Edit", "", "Move the selected neighbours into a template of their own, and use it in their place."},
         {"edit.ask_homes", "Ask where to write again", "Edit", "",
          "Forget which templates, arguments and params values were written to: the next one is asked about."},
         {"edit.rename", "Rename", "Edit", "F2", "Give the selected node another id; all that names it follows."},

@@ -146,6 +146,9 @@ void select(AppState& state, NodeId node);
 /// Selects these; the last of them is the one that panels show.
 void select(AppState& state, std::vector<NodeId> nodes);
 /// Puts a new node of this type beside the selection, at a place of the world (else in the middle of the view), and selects it.
+/// A number of a field made a param that it calls, under a name like the field's; a param written out wherever it is called.
+void make_param(AppState& state, NodeId node, int field, int part);
+void write_out_param(AppState& state, const std::string& name);
 void add_node(AppState& state, const NodeType& type, const std::optional<Vec2>& world = {});
 /// Puts the selected nodes into a new node of this type.
 void wrap_selection(AppState& state, const NodeType& type);

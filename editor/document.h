@@ -94,8 +94,8 @@ public:
     std::optional<std::string> edit_home(const SetField& edit, const ValueHome& home, const std::string& label);
     bool remembers_homes() const { return !homes_.empty(); }
     void forget_homes() { homes_.clear(); }
-    /// Writes out what made the node, as one step. Why not, or nothing.
-    std::optional<std::string> write_out(NodeId node, const std::string& label);
+    /// Takes what was made of reading(), as one step. Why it was not made, or nothing.
+    std::optional<std::string> take_patched(Result<PatchedText> patched, const std::string& label);
     /// A text as though it were this document's.
     Reading read(std::string text) const;
     /// Takes what read() gave in place of the text, as one step; it must be ok(). False, and no step, where the text is the same.

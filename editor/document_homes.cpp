@@ -80,9 +80,8 @@ std::optional<std::string> Document::edit_home(const SetField& edit, const Value
     return {};
 }
 
-std::optional<std::string> Document::write_out(NodeId node, const std::string& label) {
+std::optional<std::string> Document::take_patched(Result<PatchedText> patched, const std::string& label) {
     cancel_preview();
-    Result<PatchedText> patched = patch_written_out(*reading_, node);
     if (!patched) return patched.error().message;
     put(std::move(patched->reading), label, false, true);
     return {};

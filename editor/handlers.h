@@ -27,6 +27,8 @@ std::span<const Handler> merge_handlers();
 std::span<const Handler> preference_handlers();
 /// Values that stand elsewhere in the text: home_actions.cpp.
 std::span<const Handler> home_handlers();
+/// Takes what was made of the text, and says so, or why not.
+bool take_patched(AppState& state, Result<PatchedText> patched, const std::string& label);
 /// Asks where to write what was refused for that alone, unless something else is asked.
 void ask_for_home(AppState& state);
 /// The picture beneath the table: underlay_actions.cpp.

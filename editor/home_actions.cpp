@@ -6,6 +6,8 @@
 
 #include "editor/edit_tools.h"
 #include "editor/handlers.h"
+#include "engine/core/at.h"
+#include "engine/io/said_once.h"
 
 namespace pinfield::editor {
 namespace {
@@ -21,9 +23,28 @@ const Node* selected_maker(const AppState& state) {
 void write_out(AppState& state) {
     const NodeId maker = selected_maker(state)->id;
     const std::string label = fmt::format("Write out {}", state.document.scene().path(maker));
-    const auto why = state.document.write_out(maker, label);
-    say(state, why.value_or(label), why.has_value());
-    if (!why) select(state, maker);
+    if (take_patched(state, patch_written_out(state.document.reading(), maker), label)) select(state, maker);
+}
+
+/// The selected nodes in the order in which they stand.
+std::vector<NodeId> selected_in_order(const AppState& state) {
+    std::vector<NodeId> nodes = state.selection.nodes();
+    const Scene& scene = state.document.scene();
+    std::sort(nodes.begin(), nodes.end(), [&](NodeId a, NodeId b) { return scene.index_of(a) < scene.index_of(b); });
+    return nodes;
+}
+
+void make_template(AppState& state) {
+    const std::vector<NodeId> nodes = selected_in_order(state);
+    const Node& first = *state.document.scene().find(nodes.front());
+    const std::string name = free_name_for(state.document.reading(), fmt::format("{}_template", first.name.empty() ? first.type->key() : first.name));
+    if (take_patched(state, patch_to_template(state.document.reading(), nodes, name), fmt::format("Make the template {}", name)))
+        select(state, state.document.scene().find(nodes.front())->parent);
+}
+
+bool has_own_nodes(const AppState& state) {
+    const Node* node = state.document.scene().find(state.selection.primary());
+    return has_selection(state) && node && !node->is_record() && !node->origin;
 }
 
 template <std::size_t n>
@@ -39,6 +60,24 @@ void answer(AppState& state) {
 }
 
 }  // namespace
+
+bool take_patched(AppState& state, Result<PatchedText> patched, const std::string& label) {
+    const auto why = state.document.take_patched(std::move(patched), label);
+    say(state, why.value_or(label), why.has_value());
+    return !why;
+}
+
+void make_param(AppState& state, NodeId node, int field, int part) {
+    const Node& of = *state.document.scene().find(node);
+    const FieldType& type = at(of.type->fields, field);
+    const std::string axis = std::holds_alternative<Vec2>(at(of.fields, field).value) ? (part == 0 ? "_x" : "_y") : "";
+    const std::string name = free_name_for(state.document.reading(), fmt::format("{}_{}{}", of.name.empty() ? of.type->key() : of.name, type.key, axis));
+    take_patched(state, patch_to_param(state.document.reading(), node, field, part, name), fmt::format("Make the param {}", name));
+}
+
+void write_out_param(AppState& state, const std::string& name) {
+    take_patched(state, patch_inlined(state.document.reading(), name), fmt::format("Write out {}", name));
+}
 
 void ask_for_home(AppState& state) {
     auto question = state.document.take_home_question();
@@ -60,6 +99,7 @@ std::span<const Handler> home_handlers() {
         {"home.6", has_home<5>, answer<5>},
         {"home.cancel", has_home<0>, [](AppState& s) { s.home.reset(); }},
         {"edit.write_out", [](const AppState& s) { return !s.document.previewing() && selected_maker(s); }, write_out},
+        {"edit.make_template", has_own_nodes, make_template},
         {"edit.ask_homes", [](const AppState& s) { return s.document.remembers_homes(); },
          [](AppState& s) {
              s.document.forget_homes();

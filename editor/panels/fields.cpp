@@ -93,10 +93,24 @@ std::string label_of(std::string_view key) {
     return label;
 }
 
+/// A number that stands in the file as it is may become a param.
+void param_items(const Row& row) {
+    const FieldSlot& slot = at(row.node.fields, row.index());
+    const int parts = row.field().kind == FieldKind::vec2 ? 2 : row.field().kind == FieldKind::number || row.field().kind == FieldKind::integer ? 1 : 0;
+    const bool may = row.all.size() == 1 && slot.is_explicit && slot.where;
+    for (int part = 0; part < parts; ++part) {
+        const char* label = parts == 1 ? "Make it a param" : part == 0 ? "Make x a param" : "Make y a param";
+        const auto is_part = [part](const WrittenPart& written) { return written.index == part; };
+        const bool is_expression = slot.written && std::any_of(slot.written->begin(), slot.written->end(), is_part);
+        if (ImGui::MenuItem(label, nullptr, false, may && !is_expression)) make_param(row.state, row.node.id, row.index(), part);
+    }
+}
+
 void label_menu(const Row& row) {
     AppState& state = row.state;
     if (ImGui::MenuItem("Back to the default", nullptr, false, row.is_explicit() && !row.field().meta.required)) row.change(reset_all);
     if (ImGui::MenuItem("Type the value")) begin_typing(row, row.field().kind == FieldKind::number ? 0 : -1);
+    param_items(row);
     ImGui::Separator();
     if (ImGui::MenuItem("Copy the value", nullptr, false, !row.mixed()))
         ImGui::SetClipboardText(text_of(state.document, row.node.id, row.index()).c_str());

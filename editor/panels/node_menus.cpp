@@ -67,7 +67,7 @@ void node_menu(AppState& state, Ui& ui) {
     }
     wrap_menu(state, theme);
     change_type_menu(state, theme);
-    for (const std::string_view name : {"edit.group", "edit.unwrap", "edit.write_out", "edit.rename"}) action_item(state, theme, name);
+    for (const std::string_view name : {"edit.group", "edit.unwrap", "edit.write_out", "edit.make_template", "edit.rename"}) action_item(state, theme, name);
     ImGui::Separator();
     for (const std::string_view name : {"edit.cut", "edit.copy", "edit.paste", "edit.duplicate", "edit.delete"}) action_item(state, theme, name);
     ImGui::Separator();

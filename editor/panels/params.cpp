@@ -58,6 +58,10 @@ void param_row(AppState& state, Ui& ui, const Param& param) {
     ImGui::AlignTextToFramePadding();
     text_in(theme.body, palette::quiet, fitted(param.label.empty() ? param.name : param.label, label - theme.px(8)));
     tooltip(theme, fmt::format("{}: {}", param.name, param.value.text));
+    if (ImGui::BeginPopupContextItem("param menu")) {
+        if (ImGui::MenuItem("Write it out wherever it is called")) write_out_param(state, param.name);
+        ImGui::EndPopup();
+    }
     const ImVec2 place{left.x + label, left.y}, size{width, ImGui::GetFrameHeight()};
     ImGui::SetCursorScreenPos(place);
     ImGui::InvisibleButton("slider", size);

@@ -1,4 +1,5 @@
-// What reading a large table costs, and what a commit of one edit and of forty costs beside it.
+// What reading a large table costs, and what a commit of one edit and of forty costs beside it; what it costs to say things once, and to move a
+// slider.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,8 +7,13 @@
 #include <functional>
 
 #include "engine/core/at.h"
+#include "engine/io/load_table.h"
+#include "engine/io/param_patch.h"
 #include "engine/io/text_patch.h"
+#include "engine/io/write_table.h"
 #include "engine/scene/catalog.h"
+#include "engine/scene/expanded.h"
+#include "tests/places.h"
 
 using namespace pinfield;
 
@@ -33,10 +39,34 @@ std::string large_table() {
     return text;
 }
 
+/// A table that says things once against the same written out.
+void compare_with_twin(const std::shared_ptr<const Catalog>& catalog, const std::string& path) {
+    const Result<Reading> once = load_table(test::source_dir() + "/" + path, catalog);
+    if (!once) return fmt::print("{}: {}\n", path, once.error().message);
+    const auto source = once->scene.sources.shared_main();
+    const auto twin = std::make_shared<const SourceText>("twin.yaml", write_table(expanded(once->scene)));
+    const double said = median_time([&] { for (int i = 0; i < 20; ++i) read_table(source, catalog); });
+    const double written = median_time([&] { for (int i = 0; i < 20; ++i) read_table(twin, catalog); });
+    fmt::print("{}: read_table {:.2f} ms, written out {:.2f} ms: {:.2f} times\n", path, 50 * said, 50 * written, said / written);
+}
+
+/// A param that a hundred of ten thousand nodes follow.
+void move_slider(const std::shared_ptr<const Catalog>& catalog) {
+    std::string text = "pinfield: 1\nparams: {gap: 3mm}\nscene:\n";
+    for (int i = 0; i < 10000; ++i)
+        text += fmt::format("  - circle: {{at: [{}mm, {}mm], radius: {}}}\n", i % 500, i / 500, i % 100 == 0 ? "gap" : "3mm");
+    const Reading reading = read_table(std::make_shared<const SourceText>("params.yaml", text), catalog);
+    double value = 0.003;
+    const double moved = median_time([&] { scene_with_param(reading, "gap", value += 1e-5).value(); });
+    fmt::print("a param of a table of 10000 nodes, of which 100 follow it: {:.1f} ms\n", 1e3 * moved);
+}
+
 }  // namespace
 
 int main() {
     const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
+    for (const char* path : {"scenes/tables/garden.yaml", "tests/program/moonrise_once.yaml"}) compare_with_twin(catalog, path);
+    move_slider(catalog);
     const auto source = std::make_shared<const SourceText>("large.yaml", large_table());
     const Reading reading = read_table(source, catalog);
     std::vector<Edit> edits;

@@ -134,3 +134,27 @@ TEST_CASE("what a template made is written out, and is the author's own then") {
     run(state, "edit.undo");
     CHECK(text_of(state) == table);
 }
+
+TEST_CASE("neighbours become a template, a number a param, and a param is written out, each as one step") {
+    const Folder folder;
+    AppState state = state_of(folder);
+    state.selection = Selection({id_of(state.document, "dot")});
+    REQUIRE(enabled(state, "edit.make_template"));
+    run(state, "edit.make_template");
+    CHECK_THAT(text_of(state), Catch::Contains("  - use: {template: dot_template}\n") && Catch::Contains("  dot_template:\n    nodes:\n      - circle: {id: dot"));
+    CHECK(state.document.scene().find(state.selection.primary())->generator);
+    run(state, "edit.undo");
+    CHECK(text_of(state) == table);
+    state.selection = Selection({id_of(state.document, "large.wheel")});
+    CHECK_FALSE(enabled(state, "edit.make_template"));
+
+    const NodeId large = id_of(state.document, "large");
+    make_param(state, large, *state.document.scene().find(large)->type->find_field("at"), 1);
+    const std::string named = with(with(table, "at: [0.2, 0.6]", "at: [0.2, large_at_y]"), "max: 40mm}}", "max: 40mm}, large_at_y: 0.6}");
+    CHECK(text_of(state) == named);
+    write_out_param(state, "bloom");
+    CHECK(text_of(state) == with(with(named, "bloom: {value: 34mm, min: 20mm, max: 40mm}, ", ""), "bloom * 0.5", "34mm * 0.5"));
+    run(state, "edit.undo");
+    run(state, "edit.undo");
+    CHECK(text_of(state) == table);
+}
