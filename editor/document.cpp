@@ -8,6 +8,7 @@
 
 #include "engine/core/at.h"
 #include "engine/io/files.h"
+#include "engine/io/load_table.h"
 #include "engine/io/param_patch.h"
 #include "engine/io/same_content.h"
 #include "engine/io/shared_patch.h"
@@ -41,7 +42,7 @@ Document Document::untitled(std::shared_ptr<const Catalog> catalog, std::string_
     Document document;
     document.catalog_ = std::move(catalog);
     document.disk_text_ = text;  // nobody's work is lost with it
-    document.take(read_table(document.named(std::string(text)), document.catalog_), nullptr);
+    document.take(document.read(std::string(text)), nullptr);
     document.disk_ids_ = document.scene().all();
     return document;
 }
@@ -53,7 +54,7 @@ Result<Document> Document::open(const std::string& path, std::shared_ptr<const C
     document.catalog_ = std::move(catalog);
     document.path_ = path;
     document.disk_text_ = *text;
-    document.take(read_table(document.named(std::move(*text)), document.catalog_), nullptr);
+    document.take(document.read(std::move(*text)), nullptr);
     document.disk_ids_ = document.scene().all();
     return document;
 }
@@ -246,10 +247,13 @@ void Document::join_steps() {
 }
 
 /// Goes to a neighbouring state of the history.
-void Document::replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids) {
-    Reading reading = read_table(std::move(source), catalog_);
-    reading.scene.take_ids(ids, reading_->scene);
+void Document::replay(const Step& step, const std::shared_ptr<const SourceText>& source, const std::vector<NodeId>& ids) {
+    Reading reading = read_again(*reading_, source);
+    const bool same_nodes = reading.scene.all().size() == ids.size();  // not so where a file that it includes has changed since
+    if (same_nodes) reading.scene.take_ids(ids, reading_->scene);
+    else reading.scene.keep_ids_of(reading_->scene);
     reading_ = std::make_shared<const Reading>(std::move(reading));
+    if (!same_nodes) changes_.push_back({true, {}, 0});
     changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());
 }
 
@@ -295,7 +299,7 @@ Result<void> Document::save_as(const std::string& path) {
     if (const Result<bool> saved = save_file(path, source().text(), there); !saved) return tl::unexpected(saved.error());
     path_ = path;
     const Scene ids_from = reading_->scene;
-    take(read_table(named(source().text()), catalog_), &ids_from);  // its places name the new file
+    take(read(source().text()), &ids_from);  // its places name the new file, and what it includes stands beside that
     agree_with_disk();
     return {};
 }
@@ -307,7 +311,9 @@ void Document::restore(std::string text, std::size_t steps) {
     if (steps > 1) lost_steps_ += steps - 1;
 }
 
-Reading Document::read(std::string text) const { return read_table(named(std::move(text)), catalog_); }
+Reading Document::read(std::string text) const {
+    return read_table(named(std::move(text)), catalog_, {}, path_.empty() ? OpenFile() : files_beside(path_));
+}
 
 bool Document::replace_text(Reading reading, const std::string& label) {
     assert(reading.ok() && "only a text that reads replaces another");

@@ -1,12 +1,21 @@
 // The document and its file, when that is changed by others.
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "editor/document.h"
+#include "engine/core/error_codes.h"
 #include "engine/io/files.h"
 #include "engine/scene/match.h"
 
 namespace pinfield::editor {
+
+std::vector<std::string> Document::files() const {
+    std::vector<std::string> out;
+    for (const auto& text : reading_->scene.sources.all())
+        if (!path_.empty()) out.push_back(text->file() == main_file ? path_ : text->name());
+    return out;
+}
 
 DiskState Document::check_disk() {
     // A drag in progress goes first: it ends in a text, which is then compared.
@@ -22,12 +31,12 @@ DiskState Document::check_disk() {
     if (*text == disk_text_) {
         broken_.reset();
         disk_merge_.reset();
-        return DiskState::same;
+        return follow_included();
     }
     if (dirty() && *text != source().text()) return follow_dirty(std::move(*text));
     if (dirty()) return agree_with_disk(), DiskState::same;
     if (broken_ && broken_->source().text() == *text) return DiskState::broken;
-    Reading reading = read_table(named(std::move(*text)), catalog_);
+    Reading reading = read(std::move(*text));
     if (!reading.ok()) {
         broken_ = std::make_shared<const Reading>(std::move(reading));
         return DiskState::broken;
@@ -36,12 +45,48 @@ DiskState Document::check_disk() {
     return DiskState::reloaded;
 }
 
+namespace {
+
+/// Is any of the files that a table includes another by now?
+bool have_changed(const TableFiles& files, const OpenFile& open) {
+    return std::any_of(files.begin(), files.end(), [&](const auto& entry) {
+        const TableFile& file = *entry.second;
+        const Result<FoundFile> now = open(entry.first, file.source->text().size() + 1);
+        return !now || now->path != file.path || now->text != file.source->text();
+    });
+}
+
+/// A file that was not there may be by now.
+bool lacks_file(const Reading& reading) {
+    return std::any_of(reading.diagnostics.begin(), reading.diagnostics.end(),
+                       [](const Diagnostic& found) { return found.code == entry(Code::unreadable_include).code; });
+}
+
+}  // namespace
+
+/// The text as it is, with the files that it includes as they are by now.
+DiskState Document::follow_included() {
+    const bool changed = have_changed(reading_->files, reading_->open);
+    if (!changed && !lacks_file(*reading_)) return DiskState::same;
+    Reading reading = read(source().text());
+    if (!reading.ok() && reading_->ok()) {
+        broken_ = std::make_shared<const Reading>(std::move(reading));
+        return DiskState::broken;
+    }
+    if (!changed && reading.files.size() == reading_->files.size()) return DiskState::same;  // it lacks it still
+    const std::shared_ptr<const Reading> before = reading_;
+    take(std::move(reading), &before->scene);
+    changes_.push_back({true, {}, 0});
+    if (!dirty()) disk_ids_ = reading_->scene.all();
+    return DiskState::reloaded;
+}
+
 Result<void> Document::reload() {
     if (path_.empty()) return failure("the table has no file yet");
     cancel_preview();
     Result<std::string> text = read_file(path_);
     if (!text) return tl::unexpected(text.error());
-    Reading reading = read_table(named(std::move(*text)), catalog_);
+    Reading reading = read(std::move(*text));
     if (!reading.ok()) return failure(format(reading.diagnostics.front(), reading.scene.sources));
     follow_disk(std::move(reading));
     return {};

@@ -156,8 +156,11 @@ Reading read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<con
 }
 
 Reading read_again(const Reading& now, std::string text, const Limits& limits) {
-    return read_text(std::make_shared<const SourceText>(now.source().name(), std::move(text), now.source().file()), now.scene.shared_catalog(), limits,
-                     {now.open, now.files});
+    return read_again(now, std::make_shared<const SourceText>(now.source().name(), std::move(text), now.source().file()), limits);
+}
+
+Reading read_again(const Reading& now, const std::shared_ptr<const SourceText>& text, const Limits& limits) {
+    return read_text(text, now.scene.shared_catalog(), limits, {now.open, now.files});
 }
 
 Reading read_with_params(const Reading& now, const std::map<std::string, double>& values, const Limits& limits) {
