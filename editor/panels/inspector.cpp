@@ -93,7 +93,7 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
         ImGui::SameLine(0, theme.px(6));
     }
     if (node.where)
-        text_in(theme.small, palette::quiet, shown(line_in_table(state.document.scene(), node.where)));
+        text_in(theme.small, palette::quiet, pinfield::shown(line_in_table(state.document.scene(), node.where)));
     else text_in(theme.small, palette::quiet, "not in the file yet");
     ImGui::PushTextWrapPos(0);
     text_in(theme.body, palette::quiet, node.type->meta.doc);
