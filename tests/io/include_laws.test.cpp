@@ -32,13 +32,13 @@ std::string without_comments(const std::string& text) {
     std::istringstream lines(text);
     std::string out;
     for (std::string line; std::getline(lines, line);)
-        if (!line.starts_with("  # ")) out += line + "\n";
+        if (!line.starts_with("  # ")) out.append(line).append("\n");
     return out;
 }
 
 std::string told(const SplitTable& split) {
     std::string out = "--- table.yaml\n" + split.main;
-    for (const auto& [path, text] : split.files) out += "--- " + path + "\n" + text;
+    for (const auto& [path, text] : split.files) out += fmt::format("--- {}\n{}", path, text);
     return out;
 }
 
