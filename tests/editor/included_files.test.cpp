@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "editor/structure_tools.h"
 #include "engine/io/same_content.h"
 #include "tests/editor/support.h"
 
@@ -120,6 +121,22 @@ TEST_CASE("a table that was opened without a file it includes takes it when it c
     CHECK(document.diagnostics().empty());
     CHECK(document.scene().find("late"));
     CHECK(document.files().size() == 3);
+}
+
+TEST_CASE("what is included is copied as its file has it, and pasted behind all that is included") {
+    Desk desk;
+    Document& document = desk.document;
+    const NodeId disc = document.scene().find("disc")->id;
+    const std::vector<NodeId> chosen{disc};
+    const Result<std::string> text = copied_text(document, chosen);
+    REQUIRE(text);
+    CHECK(*text == "- circle: {id: disc, radius: gap}\n");
+    CHECK(duplicate_nodes(document, chosen, Vec2(0, 0)).refusal);
+    const Outcome pasted = paste_text(document, "- circle: {id: other, radius: 1cm}\n", spot_after(document.scene(), chosen), {});
+    CHECK_FALSE(pasted.refusal);
+    CHECK(document.scene().roots()[1] == document.scene().find("other")->id);
+    CHECK_THAT(document.source().text(), Catch::Contains("scene:\n  - circle: {id: other, radius: 1cm}\n  - box: {id: shelf"));
+    CHECK(desk.folder.read("board.yaml") == board);
 }
 
 TEST_CASE("a new table has no folder until it is saved") {
