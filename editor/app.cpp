@@ -177,7 +177,7 @@ void App::look_around(double seconds) {
         kept_seconds_ = looked_seconds_;
         keep_preferences(state_);
     }
-    watch_.follow(state_.document.path());
+    watch_.follow(state_.document.files());
     if (watch_.due(looked_seconds_)) look_at_disk(state_);
 }
 

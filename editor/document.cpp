@@ -259,11 +259,13 @@ void Document::join_steps() {
 }
 
 /// Goes to a neighbouring state of the history.
-void Document::replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids) {
-    Reading reading = read_again(*reading_, source->text());
-    if (reading.scene.all().size() == ids.size()) reading.scene.take_ids(ids, reading_->scene);
-    else reading.scene.keep_ids_of(reading_->scene);  // what it includes is not what it was
+void Document::replay(const Step& step, const std::shared_ptr<const SourceText>& source, const std::vector<NodeId>& ids) {
+    Reading reading = read_again(*reading_, source);
+    const bool same_nodes = reading.scene.all().size() == ids.size();  // not so where a file that it includes has changed since
+    if (same_nodes) reading.scene.take_ids(ids, reading_->scene);
+    else reading.scene.keep_ids_of(reading_->scene);
     reading_ = std::make_shared<const Reading>(std::move(reading));
+    if (!same_nodes) changes_.push_back({true, {}, 0});
     changes_.insert(changes_.end(), step.changes.begin(), step.changes.end());
 }
 
@@ -309,7 +311,7 @@ Result<void> Document::save_as(const std::string& path) {
     if (const Result<bool> saved = save_file(path, source().text(), there); !saved) return tl::unexpected(saved.error());
     path_ = path;
     const Scene ids_from = reading_->scene;
-    take(read(source().text()), &ids_from);  // its places name the new file
+    take(read(source().text()), &ids_from);  // its places name the new file, and what it includes stands beside that
     agree_with_disk();
     return {};
 }
@@ -322,7 +324,7 @@ void Document::restore(std::string text, std::size_t steps) {
 }
 
 Reading Document::read(std::string text) const {
-    return read_table(named(std::move(text)), catalog_, {}, path_.empty() ? OpenFile{} : files_beside(path_));
+    return read_table(named(std::move(text)), catalog_, {}, path_.empty() ? OpenFile() : files_beside(path_));
 }
 
 bool Document::replace_text(Reading reading, const std::string& label) {

@@ -58,6 +58,8 @@ public:
     const Diagnostics& diagnostics() const { return (broken_ ? broken_ : reading_)->diagnostics; }
     const Sources& diagnosed() const { return (broken_ ? broken_ : reading_)->scene.sources; }
     const std::string& path() const { return path_; }  ///< empty: never saved
+    /// That, and the files it includes; none for one that was never saved.
+    std::vector<std::string> files() const;
     bool dirty() const;                                ///< the text differs from the disk's as last seen, or its file is gone
     /// What the text was when it was loaded or saved last.
     const std::string& saved_text() const { return disk_text_; }
@@ -96,7 +98,7 @@ public:
     void forget_homes() { homes_.clear(); }
     /// Takes what was made of reading(), as one step. Why it was not made, or nothing.
     std::optional<std::string> take_patched(Result<PatchedText> patched, const std::string& label);
-    /// A text as though it were this document's.
+    /// A text as though it were this document's, with what it includes as the disk has it.
     Reading read(std::string text) const;
     /// Takes what read() gave in place of the text, as one step; it must be ok(). False, and no step, where the text is the same.
     bool replace_text(Reading reading, const std::string& label);
@@ -128,6 +130,7 @@ public:
     /// a dirty one whose file changed outside is merged with it, as one step; where both touched the same, and where the disk's text does
     /// not read, it reports a conflict and changes nothing. A file that two looks in a row do not find is missing: the document is all that
     /// is left of it.
+    /// When a file that the table includes has changed, the table is read with it as it is now; the text stays, and there is no step.
     DiskState check_disk();
     /// What check_disk() found in conflict; null: nothing, or a text that does not read.
     const std::shared_ptr<const DiskMerge>& disk_merge() const { return disk_merge_; }
@@ -160,9 +163,9 @@ private:
     const std::shared_ptr<const SourceText>& shared_source() const { return reading_->scene.sources.shared_main(); }
     void take(Reading reading, const Scene* ids_from);
     std::optional<std::string> write(std::span<const Edit> edits, const std::string& label);
-    void replay(const Step& step, std::shared_ptr<const SourceText> source, const std::vector<NodeId>& ids);
+    void replay(const Step& step, const std::shared_ptr<const SourceText>& source, const std::vector<NodeId>& ids);
     void follow_disk(Reading reading);
-    DiskState follow_files();
+    DiskState follow_included();
     void agree_with_disk();
     void note_shared(std::span<const Edit> edits, const std::string& label);
     std::optional<std::string> commit_param(const std::string& label);

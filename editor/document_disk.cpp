@@ -4,10 +4,18 @@
 #include <utility>
 
 #include "editor/document.h"
+#include "engine/core/error_codes.h"
 #include "engine/io/files.h"
 #include "engine/scene/match.h"
 
 namespace pinfield::editor {
+
+std::vector<std::string> Document::files() const {
+    std::vector<std::string> out;
+    for (const auto& text : reading_->scene.sources.all())
+        if (!path_.empty()) out.push_back(text->file() == main_file ? path_ : text->name());
+    return out;
+}
 
 DiskState Document::check_disk() {
     // A drag in progress goes first: it ends in a text, which is then compared.
@@ -23,7 +31,7 @@ DiskState Document::check_disk() {
     if (*text == disk_text_) {
         broken_.reset();
         disk_merge_.reset();
-        return follow_files();
+        return follow_included();
     }
     if (dirty() && *text != source().text()) return follow_dirty(std::move(*text));
     if (dirty()) return agree_with_disk(), DiskState::same;
@@ -37,23 +45,39 @@ DiskState Document::check_disk() {
     return DiskState::reloaded;
 }
 
-/// The same text where a file that it includes is another one: no step, as undo does not change that file.
-DiskState Document::follow_files() {
-    const auto is_as_read = [&](const auto& file) {
-        const Result<FoundFile> now = reading_->open(file.first, Limits{}.file_bytes + 1);
-        return now && now->text == file.second->source->text();
-    };
-    if (!reading_->open || previewing() || std::all_of(reading_->files.begin(), reading_->files.end(), is_as_read)) return DiskState::same;
+namespace {
+
+/// Is any of the files that a table includes another by now?
+bool have_changed(const TableFiles& files, const OpenFile& open) {
+    return std::any_of(files.begin(), files.end(), [&](const auto& entry) {
+        const TableFile& file = *entry.second;
+        const Result<FoundFile> now = open(entry.first, file.source->text().size() + 1);
+        return !now || now->path != file.path || now->text != file.source->text();
+    });
+}
+
+/// A file that was not there may be by now.
+bool lacks_file(const Reading& reading) {
+    return std::any_of(reading.diagnostics.begin(), reading.diagnostics.end(),
+                       [](const Diagnostic& found) { return found.code == entry(Code::unreadable_include).code; });
+}
+
+}  // namespace
+
+/// The text as it is, with the files that it includes as they are by now.
+DiskState Document::follow_included() {
+    const bool changed = have_changed(reading_->files, reading_->open);
+    if (!changed && !lacks_file(*reading_)) return DiskState::same;
     Reading reading = read(source().text());
-    if (!reading.ok()) {
+    if (!reading.ok() && reading_->ok()) {
         broken_ = std::make_shared<const Reading>(std::move(reading));
         return DiskState::broken;
     }
-    broken_.reset();
+    if (!changed && reading.files.size() == reading_->files.size()) return DiskState::same;  // it lacks it still
     const std::shared_ptr<const Reading> before = reading_;
     take(std::move(reading), &before->scene);
-    const std::vector<SceneChange> made = changes_between(before->scene, reading_->scene);
-    changes_.insert(changes_.end(), made.begin(), made.end());
+    changes_.push_back({true, {}, 0});
+    if (!dirty()) disk_ids_ = reading_->scene.all();
     return DiskState::reloaded;
 }
 

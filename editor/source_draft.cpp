@@ -26,7 +26,9 @@ void SourceDraft::put(const Document& document, const Splice& splice) {
     rest_ = 0;
     if (!stale(document) && after == document.source().text()) return forget();
     text_ = std::make_shared<const SourceText>(document.source().name(), std::move(after));
-    for (Diagnostic& problem : problems_) problem.where.span = {carried(problem.where.span.begin, splice), carried(problem.where.span.end, splice)};
+    for (Diagnostic& problem : problems_)
+        if (problem.where.file == main_file)
+            problem.where.span = {carried(problem.where.span.begin, splice), carried(problem.where.span.end, splice)};
     diagnosed_ = Sources(text_);
     waiting_ = true;
 }

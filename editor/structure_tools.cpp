@@ -12,6 +12,7 @@
 #include "engine/core/trig.h"
 #include "engine/io/fragment.h"
 #include "engine/io/structure_patch.h"
+#include "engine/scene/elsewhere.h"
 #include "engine/scene/validate.h"
 #include "engine/sdf/kernels.h"
 
@@ -121,7 +122,8 @@ std::vector<NodeId> outermost(const Scene& scene, std::span<const NodeId> nodes)
 Spot spot_after(const Scene& scene, std::span<const NodeId> nodes) {
     const std::vector<NodeId> chosen = outermost(scene, nodes);
     if (chosen.empty()) return {{}, static_cast<int>(scene.roots().size())};
-    return {scene.find(chosen.back())->parent, scene.index_of(chosen.back()) + 1};
+    const NodeId parent = scene.find(chosen.back())->parent;
+    return {parent, std::max(scene.index_of(chosen.back()) + 1, included_children(scene, parent))};
 }
 
 Outcome remove_nodes(Document& document, std::span<const NodeId> nodes) {

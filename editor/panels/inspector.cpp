@@ -14,7 +14,9 @@
 #include "editor/widgets/widgets.h"
 #include "engine/core/at.h"
 #include "engine/core/numbers.h"
+#include "engine/core/shown.h"
 #include "engine/program/distance_quality.h"
+#include "engine/scene/elsewhere.h"
 
 namespace pinfield::editor {
 
@@ -93,7 +95,7 @@ void header(const AppState& state, const Theme& theme, const Node& node) {
         ImGui::SameLine(0, theme.px(6));
     }
     if (node.where)
-        text_in(theme.small, palette::quiet, "line " + std::to_string(state.document.scene().sources.line_column(node.where).line));
+        text_in(theme.small, palette::quiet, pinfield::shown(line_in_table(state.document.scene(), node.where)));
     else text_in(theme.small, palette::quiet, "not in the file yet");
     if (node.origin) {
         const std::string made = fmt::format("made by {}, asked for in line {}", node.origin->what,

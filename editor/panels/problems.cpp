@@ -17,7 +17,7 @@ void problem_row(AppState& state, Ui& ui, const Diagnostic& problem, const Sourc
     if (ImGui::InvisibleButton("row", {width, height})) {
         const NodeId node = node_at(state.document.scene(), problem.where);
         if (node) state.selection.set(node);
-        if (sources.find(problem.where)) ui.source.wanted = problem.where.span.begin;
+        if (problem.where.file == main_file) ui.source.wanted = problem.where.span.begin;
         say(state, problem.hint.empty() ? problem.message : problem.hint, error);
     }
     const bool hot = ImGui::IsItemHovered();
@@ -27,7 +27,9 @@ void problem_row(AppState& state, Ui& ui, const Diagnostic& problem, const Sourc
     draw_icon(list, error ? Icon::error : Icon::warning, {place.x + theme.px(14), place.y + 0.5f * height}, theme.px(14),
               ink(error ? palette::coral : palette::amber));
     const float y = place.y + 0.5f * (height - ImGui::GetFontSize());
-    const std::string where = std::to_string(at.line) + ":" + std::to_string(at.column) + "   " + problem.code;
+    const Sources::Included* included = sources.inclusion(problem.where.file);
+    const std::string file = included ? shown(included->path) + ":" : "";
+    const std::string where = file + std::to_string(at.line) + ":" + std::to_string(at.column) + "   " + problem.code;
     const float where_width = ImGui::CalcTextSize(where.c_str()).x;
     list.AddText({place.x + width - where_width - theme.px(10), y}, ink(palette::quiet), where.c_str());
     const float left = place.x + theme.px(30), right = place.x + width - where_width - theme.px(30);

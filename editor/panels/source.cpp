@@ -78,8 +78,9 @@ void footer(AppState& state, Ui& ui, ImVec2 place, ImVec2 size) {
         line(palette::text, "The table was changed elsewhere meanwhile.");
         line(palette::quiet, "What is typed here is kept, and not yet in the table.");
     } else {
-        const int at = ui.source.shown->line_column(problems.front().where.span.begin).line;
-        line(palette::text, "Line " + std::to_string(at) + ": " + shown(problems.front().message));
+        const Place& where = problems.front().where;  // what stands in other files comes last
+        const std::string at = where.file == main_file ? "Line " + std::to_string(ui.source.shown->line_column(where.span.begin).line) : "In what it includes";
+        line(palette::text, at + ": " + shown(problems.front().message));
     }
     ImGui::SetCursorScreenPos({left, y + theme.px(2)});
     std::string_view action;

@@ -1,7 +1,9 @@
 #include "editor/platform/file_watch.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #ifdef __linux__
@@ -36,6 +38,17 @@ std::vector<fs::path> way_to(const std::string& path) {
     return {};
 }
 
+/// Of several files; of none where one of them has no folder: half of it is worse than none.
+std::vector<fs::path> ways_to(const std::vector<std::string>& paths) {
+    std::vector<fs::path> out;
+    for (const std::string& path : paths) {
+        const std::vector<fs::path> way = way_to(path);
+        if (way.empty()) return {};
+        out.insert(out.end(), way.begin(), way.end());
+    }
+    return out;
+}
+
 #ifdef __linux__
 constexpr std::uint32_t events =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
@@ -62,15 +75,15 @@ FileWatch::FileWatch(bool listens) : listens_(listens) {}
 
 FileWatch::~FileWatch() { stop(); }
 
-void FileWatch::follow(const std::string& path) {
-    if (path == path_) return;
-    path_ = path;
+void FileWatch::follow(std::vector<std::string> paths) {
+    if (paths == paths_) return;
+    paths_ = std::move(paths);
     first_ = last_ = second_look_ = -1;
     listen();
 }
 
 bool FileWatch::due(double now) {
-    if (path_.empty()) return false;
+    if (paths_.empty()) return false;
     if (anything_happened()) {
         if (first_ < 0) first_ = now;
         last_ = now;
@@ -94,8 +107,8 @@ bool FileWatch::due(double now) {
 void FileWatch::listen() {
     stop();
     is_lost_ = false;
-    if (!listens_ || path_.empty()) return;
-    const std::vector<fs::path> way = way_to(path_);
+    if (!listens_ || paths_.empty()) return;
+    const std::vector<fs::path> way = ways_to(paths_);
     queue_ = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
     for (const fs::path& place : way) {
         const fs::path folder = place.parent_path();
@@ -122,7 +135,7 @@ bool FileWatch::anything_happened() {
             if (!of_folder && !of_file) continue;
             if (of_file && (event.mask & IN_CREATE) != 0) {
                 bool whole = false;
-                for (const fs::path& place : way_to(path_)) whole = whole || (place.filename() == name && is_whole_when_made(place));
+                for (const fs::path& place : ways_to(paths_)) whole = whole || (place.filename() == name && is_whole_when_made(place));
                 if (!whole) continue;
             }
             happened = true;
@@ -130,7 +143,7 @@ bool FileWatch::anything_happened() {
         }
     }
     std::error_code error;
-    is_lost_ = is_lost_ || (happened && fs::is_symlink(path_, error));
+    is_lost_ = is_lost_ || (happened && std::any_of(paths_.begin(), paths_.end(), [&](const std::string& path) { return fs::is_symlink(path, error); }));
     return happened;
 }
 

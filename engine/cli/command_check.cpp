@@ -20,17 +20,26 @@ struct Options {
     bool json = false, verbose = false, pockets = false;
 };
 
+JsonObject json_of(const Place& where, const Sources& sources) {
+    const LineColumn place = sources.line_column(where);
+    const SourceText* source = sources.find(where);
+    return JsonObject().add("file", source ? source->name() : "").add("line", place.line).add("column", place.column);
+}
+
+/// The way to a finding: each file, template and copy that it is in.
+std::string json_of_way(const Diagnostic& diagnostic, const Sources& sources) {
+    std::vector<std::string> steps;
+    for (const Via& step : way_to(diagnostic, sources)) steps.push_back(json_of(step.where, sources).add("in", step.what).add("how", step.how).text());
+    return json_array(steps);
+}
+
 JsonObject json_of(const Diagnostic& diagnostic, const char* severity, const Sources& sources) {
-    const LineColumn place = sources.line_column(diagnostic.where);
-    const SourceText* source = sources.find(diagnostic.where);
-    return JsonObject()
-        .add("file", source ? source->name() : "")
-        .add("line", place.line)
-        .add("column", place.column)
+    return json_of(diagnostic.where, sources)
         .add("severity", severity)
         .add("code", diagnostic.code)
         .add("message", diagnostic.message)
-        .add("hint", diagnostic.hint);
+        .add("hint", diagnostic.hint)
+        .add_raw("way", json_of_way(diagnostic, sources));
 }
 
 /// What is known of a node's distance.

@@ -82,7 +82,7 @@ Answer answer_at(const std::vector<Source>& sources, const Vec2& p) {
 
 void eval(const Options& options) {
     refuse_overwriting(options.out, {options.file, options.points});
-    const Table table = open_table(options.file);
+    const Table table = open_table(options.file, {options.out});
     const std::vector<Source> sources = sources_of(table, options.shapes_only);
     CsvReader points = value_or_stop(CsvReader::open(options.points, "x,y"));
 

@@ -9,7 +9,7 @@
 namespace pinfield::cli {
 
 void add_expand(const Command& app, ExitCode& exit) {
-    const Command command = app.subcommand("expand", "Print a table without params, templates and copies: the nodes they make, as numbers");
+    const Command command = app.subcommand("expand", "Print a table in one file, without params, templates and copies: the nodes they make, as numbers");
     const auto file = std::make_shared<std::string>();
     command.option("FILE", *file, "Table file").required();
     command.callback([file, &exit] {

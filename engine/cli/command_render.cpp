@@ -58,7 +58,7 @@ Size usual_size(const Program& program) {
 
 void render(const Options& options) {
     refuse_overwriting(options.out, {options.file});
-    const Table table = open_table(options.file);
+    const Table table = open_table(options.file, {options.out});
     const Program& program = *table.program;
     Size size = usual_size(program);
     if (!options.size.empty()) why_invalid_size(options.size, &size);

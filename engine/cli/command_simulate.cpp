@@ -164,7 +164,7 @@ std::string text_of(const SimulationSummary& summary, const std::string& table, 
 void run(const Options& options) {
     for (const std::string& output : {options.trace, options.events}) refuse_overwriting(output, {options.file, options.inputs});
     refuse_sharing(options.trace, options.events);
-    const Table table = open_table(options.file);
+    const Table table = open_table(options.file, {options.trace, options.events});
     Game game(world_of(table, options), parents_of(table.scene));
     Recorder recorder(table.scene, options.trace, options.events);
     SimulationOptions how;

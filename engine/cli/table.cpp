@@ -17,8 +17,10 @@ std::string text_of(const Diagnostics& diagnostics, const Sources& sources) {
     return text;
 }
 
-Table open_table(const std::string& path) {
+Table open_table(const std::string& path, const std::vector<std::string>& outputs) {
     Reading loaded = value_or_stop(load_table(path, std::make_shared<const Catalog>(built_in_catalog())));
+    for (const auto& text : loaded.scene.sources.all())
+        for (const std::string& output : outputs) refuse_overwriting(output, {text->name()});
     const std::string found = text_of(loaded.diagnostics, loaded.scene.sources);
     if (!loaded.ok()) throw Stop{ExitCode::wrong, "", found};
     const auto program = compile(loaded.scene);

@@ -124,13 +124,13 @@ struct Given {
     const std::map<std::string, double>* set_params = nullptr;
 };
 
-Reading read_tree(const std::shared_ptr<const SourceText>& source, const std::shared_ptr<const YamlTree>& tree, const std::shared_ptr<const Catalog>& catalog,
+Reading read_tree(std::shared_ptr<const SourceText> source, const std::shared_ptr<const YamlTree>& tree, std::shared_ptr<const Catalog> catalog,
                   const Limits& limits, const Given& given) {
-    Reading result{tree, Scene(catalog), tree->diagnostics, given.open};
-    result.scene.sources = Sources(source);
+    Reading result{tree, Scene(std::move(catalog)), tree->diagnostics, given.open};
+    result.scene.sources = Sources(std::move(source));
     if (!tree->root) return result;
-    Inclusion inclusion(*source, *tree, given.open, given.known);
-    ReadContext context{source.get(), *catalog, limits, result.diagnostics, given.set_params};
+    Inclusion inclusion(result.source(), *tree, given.open, given.known);
+    ReadContext context{&result.source(), result.scene.catalog(), limits, result.diagnostics, given.set_params};
     context.inclusion = &inclusion;
     const YamlNode& root = *tree->root;
     if (root.kind != YamlKind::map) {
@@ -143,21 +143,24 @@ Reading read_tree(const std::shared_ptr<const SourceText>& source, const std::sh
     return result;
 }
 
-Reading read_text(const std::shared_ptr<const SourceText>& source, const std::shared_ptr<const Catalog>& catalog, const Limits& limits, const Given& given) {
+Reading read_text(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalog> catalog, const Limits& limits, const Given& given) {
     const auto tree = std::make_shared<const YamlTree>(read_yaml(*source, limits));
-    return read_tree(source, tree, catalog, limits, given);
+    return read_tree(std::move(source), tree, std::move(catalog), limits, given);
 }
 
 }  // namespace
 
 Reading read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<const Catalog> catalog, const Limits& limits, const OpenFile& open) {
     const TableFiles none;
-    return read_text(source, catalog, limits, {open, none});
+    return read_text(std::move(source), std::move(catalog), limits, {open, none});
 }
 
 Reading read_again(const Reading& now, std::string text, const Limits& limits) {
-    return read_text(std::make_shared<const SourceText>(now.source().name(), std::move(text), now.source().file()), now.scene.shared_catalog(), limits,
-                     {now.open, now.files});
+    return read_again(now, std::make_shared<const SourceText>(now.source().name(), std::move(text), now.source().file()), limits);
+}
+
+Reading read_again(const Reading& now, const std::shared_ptr<const SourceText>& text, const Limits& limits) {
+    return read_text(text, now.scene.shared_catalog(), limits, {now.open, now.files});
 }
 
 Reading read_with_params(const Reading& now, const std::map<std::string, double>& values, const Limits& limits) {

@@ -29,6 +29,7 @@ Reading read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<con
 
 /// Another text of the same table. The files it includes are those that `now` has read; only for further ones is the disk asked.
 Reading read_again(const Reading& now, std::string text, const Limits& limits = {});
+Reading read_again(const Reading& now, const std::shared_ptr<const SourceText>& text, const Limits& limits = {});
 
 /// The same text once more as though these params were written with these values: what moving a slider makes of the table.
 Reading read_with_params(const Reading& now, const std::map<std::string, double>& values, const Limits& limits = {});

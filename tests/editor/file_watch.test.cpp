@@ -42,6 +42,33 @@ struct Watched {
 
 }  // namespace
 
+TEST_CASE("of several files that are watched, in whatever folders, any one counts") {
+    const Folder folder;
+    const std::string table = folder.write("table.yaml", "a");
+    fs::create_directory(folder.file("parts"));
+    const std::string part = folder.write("parts/walls.yaml", "a");
+    FileWatch watch;
+    double now = 100;
+    const auto looks = [&] {
+        for (const double end = now + FileWatch::patience + FileWatch::again; now < end; now += 0.01)
+            if (watch.due(now)) return true;
+        return false;
+    };
+    watch.follow({table, part});
+    CHECK(watch.hears());
+    CHECK(watch.due(now));
+    CHECK_FALSE(looks());
+    for (const std::string& file : {part, table}) {
+        REQUIRE(write_file(file, "b"));
+        CHECK(looks());
+        CHECK(looks());
+        CHECK_FALSE(looks());
+    }
+    watch.follow(table);
+    REQUIRE(write_file(part, "c"));
+    CHECK_FALSE(looks());
+}
+
 TEST_CASE("a watched file is looked at when it was written, replaced, moved away or removed, and once more after that") {
     const Folder folder;
     const std::string table = folder.write("table.yaml", "a");

@@ -141,6 +141,33 @@ TEST_CASE("a finding in a file tells the way to it: its files, and the templates
           "  in the file parts/lamps.yaml, included at table.yaml:3:29\n");
 }
 
+TEST_CASE("a file is told once on the way, however many steps are in it") {
+    const Reading reading = read_with(including("a.yaml"), {{"a.yaml",
+                                                             "pinfield: 1\n"
+                                                             "templates: {inner: {nodes: [circle: {radius: -1}]}, outer: {nodes: [use: {template: inner}]}}\n"
+                                                             "scene: [use: {template: outer}]\n"}});
+    REQUIRE(reading.diagnostics.size() == 1);
+    std::vector<std::string> way;
+    for (const Via& step : way_to(reading.diagnostics.front(), reading.scene.sources)) way.push_back(step.what);
+    CHECK(way == Findings{"the file a.yaml", "the template inner", "the template outer"});
+}
+
+TEST_CASE("a name that an included file says, too, is not changed in one of them alone") {
+    const Files files{{"a.yaml", "pinfield: 1\nscene:\n  - circle: {id: there, material: wood}\n  - flipper: {id: bat, at: [0.2, 0.1], input: left}\n"}};
+    const Reading reading = read_with("pinfield: 1\ninclude: [a.yaml]\nmaterials: {wood: {}, tin: {}}\ninputs: {left: Z, right: X}\n", files);
+    INFO(told(reading));
+    REQUIRE(reading.ok());
+    const auto refusal = [&](const Edit& edit) { return why_invalid(reading.scene, edit).value_or(""); };
+    const std::vector<NodeId>& materials = reading.scene.materials();
+    CHECK(refusal(Rename{materials[0], "wood", "oak", true}) == "wood is called so in a.yaml:3, too: change both there");
+    CHECK(refusal(Rename{{}, "left", "l", true}) == "left is called so in a.yaml:4, too: change both there");
+    for (const Edit& edit : {Edit(Rename{materials[1], "tin", "iron", true}), Edit(Rename{{}, "right", "r", true})}) {
+        CHECK(refusal(edit).empty());
+        CHECK(patch_for(reading, std::span(&edit, 1)));
+    }
+    CHECK(refusal(Move{reading.scene.roots()[0], {}, 1}) == "there stands in a.yaml:3: change it there");
+}
+
 TEST_CASE("a file within a file tells both includes, and its own errors of YAML are told in it") {
     const Reading reading = read_with(including("a.yaml"), {{"a.yaml", "pinfield: 1\ninclude: [b.yaml]\n"}, {"b.yaml", "pinfield: 1\nscene: [circle: {]\n"}});
     CHECK(findings(reading).size() == 1);

@@ -27,7 +27,7 @@ inline std::string in_one(const TableEntries& table) {
     std::string out = "pinfield: 1\n" + table.of_the_whole;
     for (const auto& [section, entries] : table.sections) {
         if (!entries.empty()) out += section + ":\n";
-        for (const std::string& entry : entries) out += "  " + entry + "\n";
+        for (const std::string& entry : entries) out.append("  ").append(entry).append("\n");
     }
     return out;
 }
@@ -81,7 +81,7 @@ private:
         std::sort(cuts.begin(), cuts.end());
         for (std::size_t i = 0; i < order_.size(); ++i) {
             std::string lines;
-            for (std::size_t entry = cuts[i]; entry < cuts[i + 1]; ++entry) lines += "  " + entries[entry] + "\n";
+            for (std::size_t entry = cuts[i]; entry < cuts[i + 1]; ++entry) lines.append("  ").append(entries[entry]).append("\n");
             if (!lines.empty()) out[order_[i]].push_back(section + ":\n" + lines);
         }
     }

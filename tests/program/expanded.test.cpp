@@ -4,11 +4,13 @@
 #include <catch2/catch.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <sstream>
 
 #include "engine/core/rng.h"
 #include "engine/io/load_table.h"
 #include "engine/io/write_table.h"
 #include "engine/program/evaluate.h"
+#include "tests/io/split_table.h"
 #include "tests/places.h"
 #include "tests/program/same_program.h"
 #include "tests/program/tables.h"
@@ -110,7 +112,51 @@ const std::string by_hand =
     "  - smooth_union: {material: goo, k: 1cm, children: [circle: {radius: 18mm, at: [0.22, 0.40]}, circle: {radius: 18mm * 1.6, at: [0.28, 0.42]}]}\n"
     "inputs: {left: Z, right: Slash}\n";
 
+/// The program of a table in files, its nodes with the ids that they have in one.
+Program of_files(const SplitTable& split, const Scene& one) {
+    const OpenFile open = [&](const std::string& path, std::size_t) -> Result<FoundFile> { return FoundFile{path, split.files.at(path)}; };
+    Reading many = read_table(std::make_shared<const SourceText>("table.yaml", split.main), catalog(), {}, open);
+    for (const Diagnostic& d : many.diagnostics) UNSCOPED_INFO(format(d, many.scene.sources));
+    REQUIRE(many.ok());
+    many.scene.take_ids_of(one);
+    return *compiled(many.scene);
+}
+
+/// Canonical text, taken apart: an entry begins two columns in.
+TableEntries entries_of(const std::string& canonical) {
+    TableEntries out;
+    std::istringstream lines(canonical);
+    std::vector<std::string>* entries = nullptr;
+    for (std::string line; std::getline(lines, line);) {
+        if (line == "pinfield: 1") continue;
+        const bool is_dealt = line == "params:" || line == "materials:" || line == "templates:" || line == "scene:";
+        if (line[0] != ' ') entries = is_dealt ? &out.sections.emplace_back(line.substr(0, line.size() - 1), std::vector<std::string>()).second : nullptr;
+        if (!entries) out.of_the_whole += line + '\n';
+        else if (line[0] == ' ' && line[2] != ' ') entries->push_back(line.substr(2));
+        else if (line[0] == ' ') entries->back() += '\n' + line;
+    }
+    return out;
+}
+
 }  // namespace
+
+TEST_CASE("a table dealt to files compiles into the program of the table in one, bit for bit") {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+        CounterRng rng(seed);
+        const TableEntries entries = some_entries(rng);
+        const Scene one = read_scene(in_one(entries));
+        CHECK(difference(of_files(Dealer(rng).deal(entries), one), *compiled(one)).empty());
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(source_dir()) / "scenes" / "tables")) {
+        if (entry.path().extension() != ".yaml") continue;
+        INFO(entry.path().string());
+        const Scene one = read_scene(write_table(load_table(entry.path().string(), catalog())->scene));
+        for (std::uint64_t seed = 0; seed < 4; ++seed) {
+            CounterRng rng(seed);
+            CHECK(difference(of_files(Dealer(rng).deal(entries_of(write_table(one))), one), *compiled(one)).empty());
+        }
+    }
+}
 
 TEST_CASE("what is said once compiles into what is written out by hand") {
     CHECK(difference(with_plain_names(read_scene(written_once)), *compiled(read_scene(by_hand))).empty());
