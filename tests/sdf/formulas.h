@@ -1,0 +1,46 @@
+// Formulas to try the promises on: those of which a distance can be made.
+#pragma once
+#include <array>
+#include <string_view>
+
+namespace pinfield::test {
+
+/// In a window of 80 mm by 80 mm. Every function of the language is in one of them.
+inline constexpr std::array good_formulas{
+    std::string_view("length(x, y) - 30mm"),
+    std::string_view("length(x, y) - 30mm + 2mm * sin(8 * atan2(y, x))"),
+    std::string_view("sqrt(x * x + y ^ 2) - 2cm"),
+    std::string_view("max(abs(x) - 3cm, abs(y) - 1cm)"),
+    std::string_view("length(max(abs(x) - 2cm, 0), max(abs(y) - 1cm, 0)) - 5mm"),
+    std::string_view("abs(x) + abs(y) - 25mm"),
+    std::string_view("y - 5mm * cos(x / 1mm * 12)"),
+    std::string_view("(x * x + y * y) / 2cm - 1cm"),
+    std::string_view("1cm - 2cm ^ 2 / length(x - 1cm, y) / 4 - 2cm ^ 2 / length(x + 1cm, y) / 4"),
+    std::string_view("(abs(x) ^ 4 + abs(y) ^ 4) ^ 0.25 - 3cm"),
+    std::string_view("((abs(x) / 3cm) ^ 2.5 + (abs(y) / 2cm) ^ 2.5 - 1) * 1cm"),
+    std::string_view("(((x / 2cm) ^ 2 + (y / 2cm) ^ 2 - 1) ^ 3 - (x / 2cm) ^ 2 * (y / 2cm) ^ 3) * 1cm"),
+    std::string_view("length(x, y) - 2cm - 1cm * abs(cos(2.5 * atan2(y, x)))"),
+    std::string_view("length(x, y) - 3cm * (1 - abs(atan2(x, y)) / 400deg)"),
+    std::string_view("exp(x / 1cm) * 1mm + abs(y) - 1cm"),
+    std::string_view("2cm * log(length(x, y) / 1cm + 1) - 2cm"),
+    std::string_view("5mm * tan(x / 1mm * 1deg) + y"),
+    std::string_view("mix(length(x, y) - 3cm, abs(x) - 1cm, 0.5)"),
+    std::string_view("abs(y) - 1cm - 5mm * smoothstep(-2cm, 2cm, x)"),
+    std::string_view("clamp(x, -1cm, 3cm) + y / 2"),
+    std::string_view("min(length(x - 15mm, y), length(x + 15mm, y), length(x, y - 2cm)) - 1cm"),
+    std::string_view("-log(exp(-length(x - 1cm, y) / 4mm) + exp(-length(x + 1cm, y) / 4mm)) * 4mm - 1cm"),
+    std::string_view("length(x, y) - 3cm + 1mm * sin(360 * (x % 1cm) / 1cm)"),
+    std::string_view("x if x > -1m else floor(y / 1cm) * 1cm"),
+    std::string_view("abs(x) - 2cm + 1um * floor(length(x, y) / 1m)"),
+    std::string_view("length(x, y) - 2cm + 1cm * sign(x + 1m)"),
+    std::string_view("max(length(x, y) - 2cm, -1cm - ceil(-x / 1m) * 1m)"),
+    std::string_view("(length(x, y) - 2cm) * pow(2, y / 4cm)"),
+    std::string_view("x * y / 2cm"),
+    std::string_view("max(x, y, -x - y) - 5mm"),
+    std::string_view("length(x, y) - 2cm if not (x > 5cm or y > 5cm) and x != 6cm else 1cm"),
+    std::string_view("length(x, y) - 5mm * (4 + sin(3 * atan2(y, x) + 20deg))"),
+    std::string_view("length(x, y) - 35mm + 1um * floor(length(x, y) / 1cm)"),
+    std::string_view("abs(length(x, y) - 2cm) - sqrt(3mm * 3mm + x * x / 100)"),
+};
+
+}  // namespace pinfield::test
