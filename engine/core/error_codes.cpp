@@ -65,6 +65,7 @@ constexpr std::array codes{
     ErrorCode{"E0227", "cyclic_param", "params need each other in a circle"},
     ErrorCode{"E0228", "cyclic_template", "a template uses itself"},
     ErrorCode{"E0229", "misplaced_copies", "use, copies or pair stands inside a shape"},
+    ErrorCode{"E0230", "no_distance", "a formula that no distance can be made of"},
 
     ErrorCode{"E0301", "unknown_material", "no material of this name"},
     ErrorCode{"E0302", "unknown_input", "no input of this name"},

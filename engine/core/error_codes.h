@@ -67,6 +67,7 @@ enum class Code : unsigned char {
     cyclic_param,
     cyclic_template,
     misplaced_copies,
+    no_distance,
 
     unknown_material,
     unknown_input,

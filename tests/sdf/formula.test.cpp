@@ -6,31 +6,17 @@
 #include <vector>
 
 #include "engine/core/rng.h"
-#include "engine/reflect/text_fault.h"
 #include "engine/sdf/dual_functions.h"
 #include "engine/sdf/interval_functions.h"
 #include "engine/sdf/packet_functions.h"
-#include "engine/sdf/steps.h"
 #include "tests/sdf/formulas.h"
+#include "tests/sdf/packed_formula.h"
 
 using namespace pinfield;
 using namespace pinfield::sdf;
+using pinfield::test::PackedFormula;
 
 namespace {
-
-/// The reals of a text, and the view of them.
-struct Packed {
-    explicit Packed(std::string_view text) {
-        const auto fault = Steps::pack(text, reals);
-        if (fault) FAIL(fault->message);
-        steps.reals = reals.data();
-        steps.count = static_cast<int>(reals.size());
-    }
-    Packed(const Packed&) = delete;
-    Packed& operator=(const Packed&) = delete;
-    std::vector<double> reals;
-    Steps steps;
-};
 
 constexpr double half = 0.04;
 
@@ -54,7 +40,7 @@ std::vector<float> by_packets(const Steps& steps, const std::vector<float>& x, c
 TEST_CASE("a formula's value is its expression's, and the same alone and with its gradient, which is the central difference") {
     for (const std::string_view text : test::good_formulas) {
         INFO(text);
-        const Packed formula(text);
+        const PackedFormula formula(text);
         CounterRng rng(3);
         for (int i = 0; i < 200; ++i) {
             const double x = rng.in(-half, half), y = rng.in(-half, half), h = 1e-7;
@@ -75,7 +61,7 @@ TEST_CASE("a formula's value is its expression's, and the same alone and with it
 TEST_CASE("over a box of points a formula's intervals hold its values and gradients") {
     for (const std::string_view text : test::good_formulas) {
         INFO(text);
-        const Packed formula(text);
+        const PackedFormula formula(text);
         CounterRng rng(4);
         for (int i = 0; i < 200; ++i) {
             const double size = i % 10 == 0 ? 0 : 0.08 * std::exp(rng.in(-12, 0)), left = rng.in(-half, half), low = rng.in(-half, half);
@@ -99,7 +85,7 @@ TEST_CASE("over a box of points a formula's intervals hold its values and gradie
 TEST_CASE("lanes of floats give a formula's value as well as floats can") {
     for (const std::string_view text : test::good_formulas) {
         INFO(text);
-        const Packed formula(text);
+        const PackedFormula formula(text);
         CounterRng rng(5);
         std::vector<float> x, y;
         for (int i = 0; i < 400; ++i) {

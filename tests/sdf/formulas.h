@@ -1,4 +1,4 @@
-// Formulas to try the promises on: those of which a distance can be made.
+// Formulas to try the promises on: those of which a distance can be made, and those of which none can.
 #pragma once
 #include <array>
 #include <string_view>
@@ -41,6 +41,27 @@ inline constexpr std::array good_formulas{
     std::string_view("length(x, y) - 5mm * (4 + sin(3 * atan2(y, x) + 20deg))"),
     std::string_view("length(x, y) - 35mm + 1um * floor(length(x, y) / 1cm)"),
     std::string_view("abs(length(x, y) - 2cm) - sqrt(3mm * 3mm + x * x / 100)"),
+};
+
+struct BadFormula {
+    std::string_view text, part, why;
+};
+inline constexpr std::array bad_formulas{
+    BadFormula{"floor(x / 1cm) * 1cm", "floor(x / 1cm)", "jumps"},
+    BadFormula{"x / y * 1cm", "x / y", "divides by"},
+    BadFormula{"1cm ^ 2 / x", "1cm ^ 2 / x", "divides by"},
+    BadFormula{"1cm * tan(x / 1mm * 10)", "tan(x / 1mm * 10)", "divides by"},
+    BadFormula{"sqrt(x * 1cm) - 1cm", "sqrt(x * 1cm)", "below 0"},
+    BadFormula{"sqrt(abs(x) * 1cm) + y - 1mm", "sqrt(abs(x) * 1cm)", "steep"},
+    BadFormula{"log(x / 1cm) * 1cm", "log(x / 1cm)", "below 0"},
+    BadFormula{"x * sign(y) - 1cm", "sign(y)", "jumps"},
+    BadFormula{"length(x % 2cm, y) - 5mm", "x % 2cm", "jumps"},
+    BadFormula{"x if y > 0 else 1cm - x", "x if y > 0 else 1cm - x", "one branch"},
+    BadFormula{"length(x, y) - 1mm * sin(3.5 * atan2(y, x)) - 2cm", "atan2(y, x)", "jumps"},
+    BadFormula{"1mm * atan2(y, x) / 1deg", "atan2(y, x)", "jumps"},
+    BadFormula{"length(x, y) / length(x, y) * 1cm - 1mm", "length(x, y) / length(x, y)", "divides by"},
+    BadFormula{"(x / 1cm) ^ 0.5 * 1cm", "(x / 1cm) ^ 0.5", "below 0"},
+    BadFormula{"(abs(x) / 1cm) ^ 0.5 * 1cm", "(abs(x) / 1cm) ^ 0.5", "steep"},
 };
 
 }  // namespace pinfield::test

@@ -133,6 +133,10 @@ constexpr Explanation all[] = {
      "same, as one shape.",
      "- union: {children: [circle: {copies: {count: 3, step: [5cm, 0]}}]}\n",
      "- union: {children: [repeat: {count: [3, 1], step: [5cm, 0], children: [circle: {radius: 1cm}]}]}\n"},
+    {Code::no_distance,
+     "What balls collide with must tell at every place how far it is at least: so it may change only so fast. Where a formula may jump, have "
+     "no value or grow without end steep on its outline or nearby, no such bound is found, and none is believed unproved.",
+     "", ""},
 };
 
 }  // namespace
