@@ -2,6 +2,7 @@
 #pragma once
 #include "engine/expression/evaluate.h"
 #include "engine/sdf/dual.h"
+#include "engine/sdf/functions.h"
 
 namespace pinfield::sdf {
 

@@ -2,6 +2,7 @@
 // what the true one does.
 #pragma once
 #include "engine/expression/evaluate.h"
+#include "engine/sdf/functions.h"
 #include "engine/sdf/interval_dual.h"
 
 namespace pinfield::sdf {

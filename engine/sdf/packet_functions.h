@@ -2,6 +2,7 @@
 // else by xsimd's own series, which are made of the same operations for every instruction set.
 #pragma once
 #include "engine/sdf/angle.h"
+#include "engine/sdf/functions.h"
 #include "engine/sdf/packet.h"
 #include "engine/sdf/waves.h"
 

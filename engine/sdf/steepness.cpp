@@ -133,6 +133,13 @@ private:
     int looks_ = 0;
 };
 
+/// To 20 digits of a mantissa, and a hair: so that another way to write the same formula, which rounds otherwise, gives the same number.
+double rounded_up(double a) {
+    int exponent = 0;
+    const double mantissa = std::frexp(a, &exponent);
+    return std::ldexp(std::ceil(mantissa * 0x1p20 + 0x1p-10), exponent - 20);
+}
+
 enum class Trouble : unsigned char { none, jump, steep };
 
 bool has(const Watched& seen, Trouble trouble) {
@@ -161,11 +168,11 @@ int culprit(const Steps& formula, const Box2& box, Trouble trouble) {
 TextFault fault_at(const Steps& formula, const Box2& box, Trouble trouble, std::string_view text) {
     const int step = culprit(formula, box, trouble);
     const Step part = node_at(formula, step);
-    const auto slice = [&](int i) { return text.substr(formula.span_of(i).begin, formula.span_of(i).end - formula.span_of(i).begin); };
+    const Span span = formula.span_of(step);
+    const std::string_view slice = span.end <= text.size() ? text.substr(span.begin, span.end - span.begin) : std::string_view("the formula");
     const Vec2 at = 1e3 * box.centre();
     const auto because = [&](std::string_view why, std::string_view hint) {
-        return TextFault{Code::no_distance, formula.span_of(step), fmt::format("{} {} near ({:.3g}mm, {:.3g}mm)", slice(step), why, at.x(), at.y()),
-                         std::string(hint)};
+        return TextFault{Code::no_distance, span, fmt::format("{} {} near ({:.3g}mm, {:.3g}mm)", slice, why, at.x(), at.y()), std::string(hint)};
     };
     if (trouble == Trouble::steep)
         return because("is without end steep, or steeper than can be proved,", "where its outline runs a formula has a slope: lengths have 1");
@@ -226,7 +233,7 @@ tl::expected<Steepness, TextFault> steepness_of(const Steps& formula, const Vec2
     const Steepness found = search.run();
     const Cell* obstacle = search.obstacle();
     const bool reaches = found.level >= least_reach * window.maxCoeff() * found.lipschitz;
-    if (reaches && !(obstacle && obstacle->is_none)) return found;
+    if (reaches && !(obstacle && obstacle->is_none)) return Steepness{rounded_up(found.lipschitz), -rounded_up(-found.level)};
     if (!obstacle) return tl::unexpected(fault_at(formula, search.steepest().box, Trouble::steep, text));
     if (obstacle->is_none) return tl::unexpected(fault_at(formula, obstacle->box, Trouble::none, text));
     const bool jumps = look(formula, obstacle->box).jump != 0;

@@ -19,7 +19,7 @@ struct Steepness {
 
 /// The window: a rectangle about the origin, full size in metres; what is proved holds a hair beyond it, for floats. The level is the one that
 /// lets the bound reach farthest: far from its zero line a formula may be steep, or jump. The fault names the part of `text` that is without a
-/// value somewhere, or jumps or is without end steep where the zero line may be.
+/// value somewhere, or jumps or is without end steep where the zero line may be; the text may be left out, and is then not quoted.
 tl::expected<Steepness, TextFault> steepness_of(const Steps& formula, const Vec2& window, std::string_view text);
 
 /// A box that holds all that is solid in the window, hardly larger; empty where nothing is.

@@ -60,7 +60,7 @@ TEST_CASE("between any two exhibits of the gallery there is room for a ball, and
     std::vector<int> hung;
     for (std::size_t i = 0; i < field.solids.size(); ++i)
         if (gallery.is_exhibit(field.solids[i]) || field.solids[i].is_domain) hung.push_back(static_cast<int>(i));
-    REQUIRE(hung.size() == 78);  // 73 nodes, 4 bumpers, the room
+    REQUIRE(hung.size() == 78);  // 74 nodes, 3 bumpers, the room
     const double ball = 2 * gallery.program->physics.ball_radius, step = 0.004;
     double least = infinity;
     std::string where;

@@ -20,7 +20,7 @@ namespace {
 const std::set<Code> without_example{
     Code::not_utf8,       Code::control_character, Code::file_too_large,  Code::too_deep,            Code::too_many_events,     Code::scalar_too_long,
     Code::too_many_nodes, Code::too_many_points,   Code::too_many_errors, Code::expression_too_deep, Code::expression_too_long, Code::too_many_params,
-    Code::offset_of_bound, Code::no_distance,
+    Code::offset_of_bound,
 };
 
 /// Nodes as the scene of a table; a whole table as it is.
