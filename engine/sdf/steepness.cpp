@@ -18,7 +18,8 @@ namespace {
 
 constexpr double hair = 1e-6;  // of the window, beyond it: a float's rounding and more
 constexpr int first_cells = 16;  // across the window
-constexpr int most_looks = 12000;  // some 20 ms
+/// As many boxes as cost some 15 ms, of very long formulas more.
+int most_looks(const Steps& formula) { return std::clamp(240000 / std::max(formula.size(), 1), 1000, 12000); }
 constexpr double finest = 0x1p-30;  // of the window
 /// The bound must reach so far, in windows: else its digits and the way that a march takes are lost.
 constexpr double least_reach = 1e-4;
@@ -49,7 +50,8 @@ struct Cell {
 
 class Search {
 public:
-    Search(const Steps& formula, const Vec2& window) : formula_(formula), extent_(window.maxCoeff()) {
+    Search(const Steps& formula, const Vec2& window)
+        : formula_(formula), extent_(window.maxCoeff()), most_looks_(most_looks(formula)) {
         const Vec2 all = (1 + hair) * window, step = all / first_cells;
         const auto corner = [&](int i, int j) { return Vec2(-0.5 * all + step.cwiseProduct(Vec2(i, j))); };
         for (int j = 0; j < first_cells; ++j)
@@ -58,10 +60,13 @@ public:
 
     Steepness run() {
         Steepness best = choose();
-        for (int stalled = 0; stalled < 3 && looks_ < most_looks && split(best);) {
-            const double before = reach(best);
+        double before = 0;
+        for (int next = 2 * looks_; looks_ < most_looks_ && split(best);) {
             best = choose();
-            stalled = before > 0 && reach(best) < 1.02 * before ? stalled + 1 : 0;
+            if (looks_ < next) continue;
+            if (before > 0 && reach(best) < 1.1 * before) break;  // half as many looks again and hardly farther
+            before = reach(best);
+            next = looks_ + looks_ / 2;
         }
         return best;
     }
@@ -119,7 +124,7 @@ private:
         before.swap(cells_);
         bool any = false;
         for (const Cell& cell : before) {
-            const bool splits = looks_ < most_looks && cell.box.size().maxCoeff() > finest * extent_ && is_in_the_way(cell, best);
+            const bool splits = looks_ < most_looks_ && cell.box.size().maxCoeff() > finest * extent_ && is_in_the_way(cell, best);
             any = any || splits;
             if (!splits) cells_.push_back(cell);
             else for (const Box2& quarter : quarters(cell.box)) add(quarter);
@@ -129,6 +134,7 @@ private:
 
     const Steps& formula_;
     double extent_;
+    int most_looks_;
     std::vector<Cell> cells_;
     int looks_ = 0;
 };
@@ -199,9 +205,10 @@ double farthest_solid(const Steps& formula, const Box2& window, const Vec2& way,
         if (seen.is_none || seen.d.v.lo <= 0) open.push(box);
     };
     offer(window);
+    const int most = most_looks(formula) / 8;
     for (int looks = 0; !open.empty(); looks += 4) {
         const Box2 box = open.top();
-        if (looks > most_looks / 4 || box.size().maxCoeff() <= tolerance) return key(box);
+        if (looks > most || box.size().maxCoeff() <= tolerance) return key(box);
         open.pop();
         for (const Box2& quarter : quarters(box)) offer(quarter);
     }
