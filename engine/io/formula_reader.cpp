@@ -30,7 +30,7 @@ std::string spelled(double value, const Measure& measure) {
 /// The author's text with numbers in place of all names but x and y.
 class Filling {
 public:
-    Filling(ReadContext& context, const YamlNode& node, const std::string& text) : context_(context), node_(node), text_(text) {}
+    Filling(ReadContext& context, const YamlNode& node) : context_(context), node_(node), text_(node.text) {}
 
     std::optional<std::string> run() {
         auto expression = parse_expression(text_);
@@ -80,7 +80,7 @@ private:
 
     ReadContext& context_;
     const YamlNode& node_;
-    const std::string& text_;
+    std::string text_;
     std::vector<NamedValue> values_;  ///< parallel to the expression's names
 };
 
@@ -92,10 +92,8 @@ std::optional<std::string> read_formula(ReadContext& context, const FieldType& f
         return {};
     }
     if (report_comma_split(context, node)) return {};
-    const std::optional<std::string> text = resolve_text(context, node);
-    std::optional<std::string> out = text ? Filling(context, node, *text).run() : std::nullopt;
-    const bool is_said_already = !context.written.empty() && context.written.back().index == context.parts_read;
-    if (out && *out != node.text && !is_said_already) context.written.push_back({context.parts_read, std::string(node.text)});
+    std::optional<std::string> out = Filling(context, node).run();
+    if (out && *out != node.text) context.written.push_back({context.parts_read, std::string(node.text)});
     ++context.parts_read;
     return out;
 }
