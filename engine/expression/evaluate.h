@@ -1,7 +1,7 @@
 // The one evaluation of an expression's tree, for any scalar. For double see expression.h; whoever has another scalar includes this and
 // brings, where argument-dependent lookup finds them: + - * / < <= > >=, `sqrt floor abs min max select both either invert` (as in
-// engine/sdf/scalar.h), and `sine_degrees cosine_degrees arc_tangent exponential logarithm`. `is_number`, `modulo`, `power`, `hypotenuse`
-// and `arc_tangent_degrees` have general forms below, which a scalar's own replace.
+// engine/sdf/scalar.h), and `sine_degrees cosine_degrees arc_tangent exponential logarithm`. `is_number`, `modulo`, `power`, `hypotenuse`,
+// `joined` and `arc_tangent_degrees` have general forms below, which a scalar's own replace.
 #pragma once
 #include <cmath>
 #include <span>
@@ -42,6 +42,9 @@ Real power(const Real& a, const Real& b) { return exponential(b * logarithm(a));
 
 template <class Real>
 Real hypotenuse(const Real& a, const Real& b) { return sqrt(a * a + b * b); }
+/// Of two that are the same where one gives way to the other.
+template <class Mask, class Real>
+Real joined(const Mask& condition, const Real& yes, const Real& no) { return select(condition, yes, no); }
 /// In degrees.
 template <class Real>
 Real arc_tangent_degrees(const Real& y, const Real& x) { return arc_tangent(y, x) * Real(180 / pi); }
@@ -60,7 +63,7 @@ inline bool is_whole_power(double b) { return b == std::floor(b) && std::fabs(b)
 inline const ExpressionNode& node_at(const Expression& expression, int index) { return at(expression.nodes, index); }
 
 /// Over an Expression, or over whatever else has its nodes: then node_at(tree, index) gives something with `operation`, `operands` and
-/// `value`, and everything has a value, be it infinite.
+/// `value`, everything has a value, be it infinite, and the branches of a choice whose own value is not 0 are known to meet.
 template <class Real, class Tree = Expression>
 class Evaluation {
 public:
@@ -111,6 +114,7 @@ private:
     Real chosen(const Plain& node) {
         const Mask decides = condition(node.operands[0]);
         if constexpr (std::is_same_v<Mask, bool>) return operand(node, decides ? 1 : 2);
+        else if (node.value != 0) return joined(decides, operand(node, 1), operand(node, 2));
         else return select(decides, operand(node, 1), operand(node, 2));
     }
 

@@ -190,7 +190,7 @@ TextFault fault_at(const Steps& formula, const Box2& box, Trouble trouble, std::
             return because("may be of a number below 0", "abs(...) or max(0, ...) keeps it above");
         return because("may have no value", "");
     }
-    if (operation == Operation::choose) return because("may jump where one branch gives way to the other", "min, max, abs and clamp never jump");
+    if (operation == Operation::choose) return because("may jump where one branch gives way to the other", "let them be the same there, or use min, max, abs or clamp");
     if (operation == Operation::arc_tangent) return because("jumps by a whole turn", "sin(n * atan2(y, x)) does not, with a whole n");
     return because("jumps", "of the outline a formula may not jump; min, max, abs and clamp never do");
 }

@@ -6,6 +6,7 @@
 
 #include "engine/core/at.h"
 #include "engine/reflect/text_fault.h"
+#include "engine/sdf/branches.h"
 
 namespace pinfield::sdf {
 namespace {
@@ -98,7 +99,8 @@ private:
         std::array<int, 3> operands{-1, -1, -1};
         for (std::size_t i = 0; i < 3; ++i)
             if (operand(i) >= 0) operands[i] = copy(operand(i));
-        return add(n.operation, operands, n.span, n.value);
+        const bool meets = n.operation == Operation::choose && branches_meet(from_, index);
+        return add(n.operation, operands, n.span, meets ? 1 : n.value);
     }
     int squared(int root, Span span) {
         const int base = copy(root);

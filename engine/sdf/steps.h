@@ -20,7 +20,7 @@ namespace sdf {
 struct Step {
     Operation operation;
     std::array<int, 3> operands;
-    double value;
+    double value;  ///< of a literal; of a choice: 1 where its branches are known to meet
 };
 
 /// A view of the block. Its tree is not the text's letter for letter: what is constant is folded, `x * x` is a square, the root of two
@@ -49,15 +49,16 @@ inline Step node_at(const Steps& steps, int index) {
     return {static_cast<Operation>(whole(0)), {whole(1), whole(2), whole(3)}, reals[4]};
 }
 
-/// The formula at p, in metres, infinite where it is. Of scalars that have the functions of dual_functions.h.
+/// A step of the formula at p, in metres, infinite where it is. Of scalars that have the functions of dual_functions.h.
 template <class Real>
 Real value_at(const Steps& steps, const Point<Real>& p, int step) {
     const Real names[2] = {p.x, p.y};
     return expressions::Evaluation<Real, Steps>(steps, names).number(step);
 }
+/// The whole; of a text that could not be read, which is refused elsewhere, 0.
 template <class Real>
 Real value_at(const Steps& steps, const Point<Real>& p) {
-    return value_at(steps, p, steps.size() - 1);
+    return steps.count > 0 ? value_at(steps, p, steps.size() - 1) : Real(0);
 }
 
 }  // namespace sdf

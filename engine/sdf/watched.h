@@ -92,6 +92,12 @@ inline Watched select(const WatchedMask& condition, const Watched& yes, const Wa
     return {select(condition.mask, yes.d, no.d), Watched::by_anything, yes.is_none || no.is_none};
 }
 
+/// Of two that are known to be the same there.
+inline Watched joined(const WatchedMask& condition, const Watched& yes, const Watched& no) {
+    if (condition.is_none || !condition.mask.may_fail || !condition.mask.may_hold) return select(condition, yes, no);
+    return watched(select(condition.mask, yes.d, no.d), yes, no);
+}
+
 inline Watched abs(const Watched& a) {
     if (a.flips) return {abs(a.d), 0, a.is_none};
     if (a.d.v.lo >= 0) return a;
