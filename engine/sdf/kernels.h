@@ -106,6 +106,8 @@ struct Kernels {
     void (*outline)(const double* params, Outline& out) = nullptr;  ///< null: never of lines and arcs; may give none
     bool convex = false;
     bool endless = false;  ///< a half plane: its outline is all of the local x axis
+    /// Of a shape whose outside is only a bound: holds where its field is below `level` metres > 0, which may be far out. Null: no farther than that.
+    Box2 (*bounds_below)(const double* params, double level) = nullptr;
     FieldOverBox (*over_box)(const double* params, const Box2& box) = nullptr;  ///< null: the field is known by samples
     /// Why the values make no shape, as only its mathematics can tell: the fault is of the text that it reads. Null: there is no such reason.
     std::optional<TextFault> (*refusal)(const double* params, std::string_view text) = nullptr;

@@ -74,6 +74,8 @@ void fill_shape(Kernels& k) {
             const IntervalDual d = load<N<IntervalDual>>(params).distance({{x, one, none}, {y, none, one}});
             return FieldOverBox{d.v.lo, d.v.hi, {{d.dx.lo, d.dy.lo}, {d.dx.hi, d.dy.hi}}};
         };
+    if constexpr (requires(const T& node) { { node.bounds_below(1.0) } -> std::same_as<Box2>; })
+        k.bounds_below = [](const double* params, double below) { return load<T>(params).bounds_below(below); };
     if constexpr (requires(const T& node, std::string_view text) { node.refusal(text); })
         k.refusal = [](const double* params, std::string_view text) { return load<T>(params).refusal(text); };
     if constexpr (requires(const T& node, Outline& out) { node.outline(out); })

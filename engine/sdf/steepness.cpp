@@ -195,14 +195,15 @@ TextFault fault_at(const Steps& formula, const Box2& box, Trouble trouble, std::
     return because("jumps", "of the outline a formula may not jump; min, max, abs and clamp never do");
 }
 
-/// The farthest that the solid may reach along a coordinate axis, or -infinity. Best first: a box is split only while nothing reaches farther.
-double farthest_solid(const Steps& formula, const Box2& window, const Vec2& way, double tolerance) {
+/// The farthest along a coordinate axis that the formula may be no more than `level`, or -infinity. Best first: a box is split only while
+/// nothing reaches farther.
+double farthest_below(const Steps& formula, const Box2& window, double level, const Vec2& way, double tolerance) {
     const auto key = [&](const Box2& box) { return std::max(pinfield::dot(way, box.lo), pinfield::dot(way, box.hi)); };
     const auto nearer = [&](const Box2& a, const Box2& b) { return key(a) < key(b); };
     std::priority_queue<Box2, std::vector<Box2>, decltype(nearer)> open(nearer);
     const auto offer = [&](const Box2& box) {
         const Watched seen = look(formula, box);
-        if (seen.is_none || seen.d.v.lo <= 0) open.push(box);
+        if (seen.is_none || seen.d.v.lo <= level) open.push(box);
     };
     offer(window);
     const int most = most_looks(formula) / 8;
@@ -215,8 +216,8 @@ double farthest_solid(const Steps& formula, const Box2& window, const Vec2& way,
     return -infinity;
 }
 
-Box2 box_of_solid(const Steps& formula, const Box2& window, double tolerance) {
-    const auto reach = [&](const Vec2& way) { return farthest_solid(formula, window, way, tolerance); };
+Box2 box_below(const Steps& formula, const Box2& window, double level, double tolerance) {
+    const auto reach = [&](const Vec2& way) { return farthest_below(formula, window, level, way, tolerance); };
     const double right = reach({1, 0});
     if (right == -infinity) return {};
     return {{-reach({-1, 0}), -reach({0, -1})}, {right, reach({0, 1})}};
@@ -247,11 +248,11 @@ tl::expected<Steepness, TextFault> steepness_of(const Steps& formula, const Vec2
     return tl::unexpected(fault_at(formula, obstacle->box, jumps ? Trouble::jump : Trouble::steep, text));
 }
 
-Box2 box_of_solid(const Steps& formula, const Vec2& window) {
+Box2 box_below(const Steps& formula, const Vec2& window, double level) {
     Box2 box = window_box(window);
     for (int round = 0; round < 12 && !box.is_empty(); ++round) {
         const double before = box.size().maxCoeff();
-        box = box_of_solid(formula, box, before * 0x1p-14).intersected(box);
+        box = box_below(formula, box, level, before * 0x1p-14).intersected(box);
         if (!box.is_empty() && box.size().maxCoeff() > 0.25 * before) break;
     }
     return box;

@@ -22,8 +22,8 @@ struct Steepness {
 /// value somewhere, or jumps or is without end steep where the zero line may be; the text may be left out, and is then not quoted.
 tl::expected<Steepness, TextFault> steepness_of(const Steps& formula, const Vec2& window, std::string_view text);
 
-/// A box that holds all that is solid in the window, hardly larger; empty where nothing is.
-Box2 box_of_solid(const Steps& formula, const Vec2& window);
+/// A box that holds where in the window the formula is not above `level` metres, hardly larger; empty where that is nowhere.
+Box2 box_below(const Steps& formula, const Vec2& window, double level);
 
 /// What the formula can be over a box within its window.
 Watched look(const Steps& formula, const Box2& box);

@@ -78,7 +78,7 @@ TEST_CASE("the box of what is solid holds all of it, and hardly more") {
     for (const std::string_view text : test::good_formulas) {
         INFO(text);
         const PackedFormula formula(text);
-        const Box2 box = box_of_solid(formula.steps, window);
+        const Box2 box = box_below(formula.steps, window, 0);
         Box2 seen;
         CounterRng rng(8);
         for (int i = 0; i < 60000; ++i) {
@@ -94,8 +94,9 @@ TEST_CASE("the box of what is solid holds all of it, and hardly more") {
     }
     const std::string_view circle = "length(x - 1cm, y) - 2cm", nothing = "length(x, y) + 1mm";
     const PackedFormula disc(circle), none(nothing);
-    const Box2 box = box_of_solid(disc.steps, window);
+    const Box2 box = box_below(disc.steps, window, 0);
     CHECK((box.lo - Vec2(-0.01, -0.02)).cwiseAbs().maxCoeff() < 2e-5);
     CHECK((box.hi - Vec2(0.03, 0.02)).cwiseAbs().maxCoeff() < 2e-5);
-    CHECK(box_of_solid(none.steps, window).is_empty());
+    CHECK(box_below(none.steps, window, 0).is_empty());
+    CHECK((box_below(none.steps, window, 0.011).hi - Vec2(0.01, 0.01)).cwiseAbs().maxCoeff() < 2e-5);
 }

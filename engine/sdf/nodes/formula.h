@@ -37,7 +37,7 @@ struct Formula {
         if (!found) return;
         level = found->level;
         scale = 1 / found->lipschitz;
-        const Box2 box = box_of_solid(formula, {window.x, window.y});
+        const Box2 box = box_below(formula, {window.x, window.y}, 0);
         left = box.lo.x(), down = box.lo.y(), right = box.hi.x(), up = box.hi.y();
     }
     std::optional<TextFault> refusal(std::string_view text) const {
@@ -55,6 +55,12 @@ struct Formula {
         return max(bound, select(min(beyond.x, beyond.y) > Real(0), around, beside));
     }
     Box2 bounds() const { return {{left, down}, {right, up}}; }
+    /// Beyond the window the field is as much as the way to it at least.
+    Box2 bounds_below(double least) const {
+        const Vec2 all(window.x, window.y);
+        const bool is_cut = least >= level * scale;
+        return (is_cut ? Box2::centred(0.5 * all.x(), 0.5 * all.y()) : box_below(formula, all, least / scale)).grown(least);
+    }
 
     static constexpr auto describe() {
         constexpr Exactness a_bound{Side::bound, Side::bound};
