@@ -39,6 +39,7 @@ inline constexpr std::array good_formulas{
     std::string_view("y - (2 * x if x > 0 else -x) / 2"),
     std::string_view("(abs(x) if abs(x) >= abs(y) else abs(y)) - 2cm"),
     std::string_view("y - 1cm - (x ^ 2 / 2cm if 1cm > x else x - 5mm)"),
+    std::string_view("abs(x) - 2cm + ((x + 7m) % (y + 3m) - 1m) / 10"),
     std::string_view("x * y / 2cm"),
     std::string_view("max(x, y, -x - y) - 5mm"),
     std::string_view("length(x, y) - 2cm if not (x > 5cm or y > 5cm) and x != 6cm else 1cm"),
