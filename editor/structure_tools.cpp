@@ -62,6 +62,7 @@ std::set<std::string, std::less<>> names_of(const Scene& scene) {
     for (const NodeId id : scene.all())
         if (const Node& node = *scene.find(id); !node.is_record() && !node.name.empty()) out.insert(node.name);
     for (const InputBinding& input : scene.inputs) out.insert(input.name);
+    for (const Param& param : scene.params) out.insert(param.name);
     return out;
 }
 
@@ -86,14 +87,20 @@ std::vector<Vec2> regular_polygon(int corners) {
 }
 
 /// Puts a node into the scene; an id that is taken gets a number behind it.
-void insert_fragment(EditPlan& plan, const Spot& spot, const Fragment& fragment, std::vector<NodeId>& inserted) {
+void insert_fragment(const Reading& table, EditPlan& plan, const Spot& spot, const Fragment& fragment, std::vector<NodeId>& inserted) {
     std::set<std::string, std::less<>> taken = names_of(plan.scene());
     const auto new_id = [&](const std::string& name) { return name.empty() ? name : *taken.insert(free_name(taken, name)).first; };
-    const Result<Fragment> fresh = with_ids(fragment, new_id, plan.scene().shared_catalog());
+    const Result<Fragment> fresh = with_ids(fragment, new_id, table);
     if (!fresh) return plan.refuse(fresh.error().message);
     Subtree nodes = plan.scene().with_new_ids(fresh->nodes);
     inserted.push_back(nodes.front().id);
     plan.add(Insert{spot.parent, spot.index, std::move(nodes), fresh->text});
+}
+
+/// A copy whose place is an expression stays where that says, as does a row of copies.
+void move_if_it_may(EditPlan& plan, NodeId id, const Vec2& world_delta) {
+    const SetField move = moved(plan.scene(), id, plan.scene().find(id)->get<Vec2>("at"), world_delta, square_grid(default_grid));
+    if (!why_invalid(plan.scene(), move)) plan.add(move);
 }
 
 }  // namespace
@@ -147,11 +154,9 @@ Outcome duplicate_nodes(Document& document, std::span<const NodeId> nodes, const
         const Result<std::string> text = text_of_node(document.reading(), id);
         if (!text) return {{}, {}, text.error().message};
         const Spot spot{plan.scene().find(id)->parent, plan.scene().index_of(id) + 1};
-        insert_fragment(plan, spot, {plan.scene().copy(id), *text}, copies);
+        insert_fragment(document.reading(), plan, spot, {plan.scene().copy(id), *text}, copies);
         if (plan.refusal()) break;
-        const NodeId copy = copies.back();
-        if (length(world_delta) > 0)
-            plan.add(moved(plan.scene(), copy, plan.scene().find(copy)->get<Vec2>("at"), world_delta, square_grid(default_grid)));
+        if (length(world_delta) > 0) move_if_it_may(plan, copies.back(), world_delta);
     }
     return commit(document, plan, label_of(document.scene(), "Duplicate", chosen), copies);
 }
@@ -170,18 +175,17 @@ Result<std::string> copied_text(const Document& document, std::span<const NodeId
 }
 
 Outcome paste_text(Document& document, const std::string& text, const Spot& spot, const std::optional<Vec2>& centre) {
-    const Result<std::vector<Fragment>> fragments = read_fragments(text, document.scene().shared_catalog());
+    const Result<std::vector<Fragment>> fragments = read_fragments(text, document.reading());
     if (!fragments) return {{}, {}, fmt::format("The text cannot be pasted: {}", fragments.error().message)};
     EditPlan plan(document.scene());
     std::vector<NodeId> pasted;
     for (std::size_t i = 0; i < fragments->size() && !plan.refusal(); ++i)
-        insert_fragment(plan, {spot.parent, spot.index + static_cast<int>(i)}, (*fragments)[i], pasted);
+        insert_fragment(document.reading(), plan, {spot.parent, spot.index + static_cast<int>(i)}, (*fragments)[i], pasted);
     if (plan.refusal()) return {{}, {}, plan.refusal()};
     if (centre) {
         Vec2 middle(0, 0);
         for (const NodeId id : pasted) middle += world_from_local(plan.scene(), id).offset / static_cast<double>(pasted.size());
-        for (const NodeId id : pasted)
-            plan.add(moved(plan.scene(), id, plan.scene().find(id)->get<Vec2>("at"), *centre - middle, square_grid(default_grid)));
+        for (const NodeId id : pasted) move_if_it_may(plan, id, *centre - middle);
     }
     return commit(document, plan, fmt::format("Paste {}", counted(pasted.size(), plan.scene().path(pasted.front()))), pasted);
 }

@@ -41,7 +41,7 @@ const std::vector<Row>& layer_table() {
         {"engine/core/", {}, {"Eigen/"}},
         {"engine/reflect/", {"engine/core/"}, {"Eigen/"}},
         {"engine/expression/", {"engine/core/"}, {}},
-        {"engine/sdf/", {"engine/core/", "engine/reflect/"}, {"Eigen/", "xsimd/"}},
+        {"engine/sdf/", {"engine/core/", "engine/reflect/", "engine/expression/"}, {"Eigen/", "xsimd/"}},
         {"engine/scene/", {"engine/core/", "engine/reflect/", "engine/sdf/"}, {"Eigen/"}},
         {"engine/io/",
          {"engine/core/", "engine/reflect/", "engine/expression/", "engine/scene/", "engine/io/"},

@@ -70,6 +70,7 @@ constexpr std::array codes{
     ErrorCode{"E0230", "misplaced_section", "an included file has a section that only the table's own file may have"},
     ErrorCode{"E0231", "cyclic_include", "files include each other in a circle"},
     ErrorCode{"E0232", "bad_path", "a path that no table may include"},
+    ErrorCode{"E0233", "no_distance", "a formula that no distance can be made of"},
 
     ErrorCode{"E0301", "unknown_material", "no material of this name"},
     ErrorCode{"E0302", "unknown_input", "no input of this name"},

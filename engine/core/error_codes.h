@@ -72,6 +72,7 @@ enum class Code : unsigned char {
     misplaced_section,
     cyclic_include,
     bad_path,
+    no_distance,
 
     unknown_material,
     unknown_input,

@@ -1,7 +1,7 @@
 // The one evaluation of an expression's tree, for any scalar. For double see expression.h; whoever has another scalar includes this and
 // brings, where argument-dependent lookup finds them: + - * / < <= > >=, `sqrt floor abs min max select both either invert` (as in
-// engine/sdf/scalar.h), and `sine_degrees cosine_degrees arc_tangent exponential logarithm`. `is_number`, `modulo` and `power` have
-// general forms below, which a scalar's own replace.
+// engine/sdf/scalar.h), and `sine_degrees cosine_degrees arc_tangent exponential logarithm`. `is_number`, `modulo`, `power`, `hypotenuse`,
+// `joined` and `arc_tangent_degrees` have general forms below, which a scalar's own replace.
 #pragma once
 #include <cmath>
 #include <span>
@@ -40,6 +40,15 @@ double power(double a, double b);
 template <class Real>
 Real power(const Real& a, const Real& b) { return exponential(b * logarithm(a)); }
 
+template <class Real>
+Real hypotenuse(const Real& a, const Real& b) { return sqrt(a * a + b * b); }
+/// Of two that are the same where one gives way to the other.
+template <class Mask, class Real>
+Real joined(const Mask& condition, const Real& yes, const Real& no) { return select(condition, yes, no); }
+/// In degrees.
+template <class Real>
+Real arc_tangent_degrees(const Real& y, const Real& x) { return arc_tangent(y, x) * Real(180 / pi); }
+
 /// a^n by squaring (Knuth, TAOCP 4.6.3, algorithm A).
 template <class Real>
 Real whole_power(Real a, int n) {
@@ -51,16 +60,22 @@ Real whole_power(Real a, int n) {
 inline constexpr double largest_whole_power = 1024;
 inline bool is_whole_power(double b) { return b == std::floor(b) && std::fabs(b) <= largest_whole_power; }
 
-template <class Real>
+inline const ExpressionNode& node_at(const Expression& expression, int index) { return at(expression.nodes, index); }
+
+/// Over an Expression, or over whatever else has its nodes: then node_at(tree, index) gives something with `operation`, `operands` and
+/// `value`, everything has a value, be it infinite, and the branches of a choice whose own value is not 0 are known to meet.
+template <class Real, class Tree = Expression>
 class Evaluation {
 public:
+    using Node = decltype(node_at(std::declval<const Tree&>(), 0));
     using Mask = decltype(std::declval<const Real&>() < std::declval<const Real&>());
 
-    Evaluation(const Expression& expression, std::span<const Real> names) : expression_(expression), names_(names) {}
+    Evaluation(const Tree& tree, std::span<const Real> names) : tree_(tree), names_(names) {}
 
     Real number(int index) {
-        const ExpressionNode& node = at(expression_.nodes, index);
+        const Node node = node_at(tree_, index);
         const Real value = computed(node);
+        if constexpr (!std::is_same_v<Tree, Expression>) return value;
         if (is_number(value)) return value;
         if (fault_ < 0) fault_ = index;
         return Real(0);
@@ -70,10 +85,12 @@ public:
     int fault() const { return fault_; }
 
 private:
-    Real operand(const ExpressionNode& node, int i) { return number(node.operands[static_cast<std::size_t>(i)]); }
+    using Plain = std::remove_cvref_t<Node>;
+
+    Real operand(const Plain& node, int i) { return number(node.operands[static_cast<std::size_t>(i)]); }
 
     Mask condition(int index) {
-        const ExpressionNode& node = at(expression_.nodes, index);
+        const Node node = node_at(tree_, index);
         if (node.operation == Operation::invert) return invert(condition(node.operands[0]));
         if (node.operation == Operation::both || node.operation == Operation::either) {
             const Mask a = condition(node.operands[0]);
@@ -94,29 +111,30 @@ private:
         }
     }
 
-    Real chosen(const ExpressionNode& node) {
+    Real chosen(const Plain& node) {
         const Mask decides = condition(node.operands[0]);
         if constexpr (std::is_same_v<Mask, bool>) return operand(node, decides ? 1 : 2);
+        else if (node.value != 0) return joined(decides, operand(node, 1), operand(node, 2));
         else return select(decides, operand(node, 1), operand(node, 2));
     }
 
-    Real raised(const ExpressionNode& node) {
+    Real raised(const Plain& node) {
         const Real base = operand(node, 0);
-        const ExpressionNode& exponent = at(expression_.nodes, node.operands[1]);
+        const Node exponent = node_at(tree_, node.operands[1]);
         const bool negated = exponent.operation == Operation::negate;
-        const ExpressionNode& digits = negated ? at(expression_.nodes, exponent.operands[0]) : exponent;
+        const Node digits = negated ? node_at(tree_, exponent.operands[0]) : exponent;
         if (digits.operation == Operation::literal && is_whole_power(digits.value))
             return whole_power(base, static_cast<int>(negated ? -digits.value : digits.value));
         return power(base, operand(node, 1));
     }
 
-    Real stepped(const ExpressionNode& node) {
+    Real stepped(const Plain& node) {
         const Real low = operand(node, 0), high = operand(node, 1), x = operand(node, 2);
         const Real t = min(max((x - low) / (high - low), Real(0)), Real(1));
         return t * t * (Real(3) - Real(2) * t);
     }
 
-    Real computed(const ExpressionNode& node) {
+    Real computed(const Plain& node) {
         switch (node.operation) {
             case Operation::literal: return Real(node.value);
             case Operation::name: return names_[static_cast<std::size_t>(node.operands[0])];
@@ -158,12 +176,12 @@ private:
             case Operation::modulo: return modulo(a, b);
             case Operation::minimum: return min(a, b);
             case Operation::maximum: return max(a, b);
-            case Operation::arc_tangent: return arc_tangent(a, b) * Real(180 / pi);
-            default: return sqrt(a * a + b * b);  // length
+            case Operation::arc_tangent: return arc_tangent_degrees(a, b);
+            default: return hypotenuse(a, b);  // length
         }
     }
 
-    const Expression& expression_;
+    const Tree& tree_;
     std::span<const Real> names_;
     int fault_ = -1;
 };

@@ -10,14 +10,6 @@ namespace {
 
 using Kind = NamedValue::Kind;
 
-/// Bytes of a scalar's text as bytes of the file; the whole scalar where the file does not hold its text letter by letter.
-Span span_within(const ReadContext& context, const YamlNode& node, Span span) {
-    const std::string_view held = context.source().slice(node.span);
-    const std::size_t begin = held.find(node.text);
-    if (begin == std::string_view::npos) return node.span;
-    return {node.span.begin + begin + span.begin, node.span.begin + begin + span.end};
-}
-
 std::string no_such_name(const ReadContext& context, std::string_view name) {
     const std::vector<std::string_view> known = context.names ? context.names->all(Kind::number) : std::vector<std::string_view>();
     return known.empty() ? "name it under params" : suggestion(name, known);
@@ -33,16 +25,8 @@ std::optional<Bound> bind(ReadContext& context, const YamlNode& node, const Expr
     Bound out;
     bool good = true;
     for (const ExpressionName& name : expression.names) {
-        const NamedValue* found = context.names ? context.names->find(name.text) : nullptr;
-        good = good && found && found->kind == Kind::number;
-        if (!found)
-            context.report(Code::unknown_name, span_within(context, node, name.span), fmt::format("nothing is called {} here", name.text),
-                           no_such_name(context, name.text));
-        else if (found->kind == Kind::text)
-            context.report(Code::wrong_type, span_within(context, node, name.span),
-                           fmt::format("{} is a text, and a number is due here", name.text), fmt::format("where a text is due: ${}", name.text));
-        else if (found->kind == Kind::broken)
-            context.fail_silently();
+        const std::optional<NamedValue> found = number_named(context, node, name);
+        good = good && found;
         if (!good) continue;
         out.measures.push_back(found->measure);
         out.values.push_back(found->value);
@@ -74,6 +58,27 @@ std::optional<Calculated> calculated(ReadContext& context, const YamlNode& node,
 }
 
 }  // namespace
+
+Span span_within(const ReadContext& context, const YamlNode& node, Span span) {
+    const std::string_view held = context.source().slice(node.span);
+    const std::size_t begin = held.find(node.text);
+    if (begin == std::string_view::npos) return node.span;
+    return {node.span.begin + begin + span.begin, node.span.begin + begin + span.end};
+}
+
+std::optional<NamedValue> number_named(ReadContext& context, const YamlNode& node, const ExpressionName& name) {
+    const NamedValue* found = context.names ? context.names->find(name.text) : nullptr;
+    if (found && found->kind == Kind::number) return *found;
+    const Span where = span_within(context, node, name.span);
+    if (!found)
+        context.report(Code::unknown_name, where, fmt::format("nothing is called {} here", name.text), no_such_name(context, name.text));
+    else if (found->kind == Kind::text)
+        context.report(Code::wrong_type, where, fmt::format("{} is a text, and a number is due here", name.text),
+                       fmt::format("where a text is due: ${}", name.text));
+    else
+        context.fail_silently();
+    return {};
+}
 
 std::string shortened(std::string_view text) {
     return text.size() <= 40 ? std::string(text) : std::string(text.substr(0, 37)) + "...";

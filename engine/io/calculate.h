@@ -20,6 +20,11 @@ std::optional<Calculated> calculate(ReadContext& context, const YamlNode& node);
 /// The same where only one dimension will do.
 std::optional<double> calculate(ReadContext& context, const YamlNode& node, const Dimension& due);
 
+/// The number that a name of a scalar's expression stands for; nothing, and the reason reported, where it stands for none.
+std::optional<NamedValue> number_named(ReadContext& context, const YamlNode& node, const ExpressionName& name);
+/// Bytes of a scalar's text as bytes of the file; the whole scalar where the file does not hold its text letter by letter.
+Span span_within(const ReadContext& context, const YamlNode& node, Span span);
+
 /// The text of a scalar, or, of a $name, the text that the name stands for; nothing, and the reason reported, where it stands for none.
 std::optional<std::string> resolve_text(ReadContext& context, const YamlNode& node);
 

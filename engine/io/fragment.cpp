@@ -39,15 +39,16 @@ Failure failure_of(const Diagnostics& diagnostics, const SourceText& source) {
 
 }  // namespace
 
-Result<std::vector<Fragment>> read_fragments(const std::string& text, const std::shared_ptr<const Catalog>& catalog) {
+Result<std::vector<Fragment>> read_fragments(const std::string& text, const Reading& table) {
     const SourceText as_given("pasted", text);
     const SourceText source("pasted", as_list(text, read_yaml(as_given)));
     const YamlTree tree = read_yaml(source);
     Diagnostics diagnostics = tree.diagnostics;
     if (!tree.root) return tl::unexpected(failure_of(diagnostics, source));
     const Limits limits;
-    Scene scene(catalog);
-    ReadContext context{&source, *catalog, limits, diagnostics};
+    Scene scene(table.scene.shared_catalog());
+    ReadContext context{&source, scene.catalog(), limits, diagnostics};
+    know_names_of(table, context);
     read_nodes(context, scene, {}, *tree.root);
     if (has_errors(diagnostics) || scene.roots().empty()) return tl::unexpected(failure_of(diagnostics, source));
     std::vector<Fragment> out;
@@ -56,8 +57,7 @@ Result<std::vector<Fragment>> read_fragments(const std::string& text, const std:
     return out;
 }
 
-Result<Fragment> with_ids(const Fragment& fragment, const std::function<std::string(const std::string&)>& new_id,
-                          const std::shared_ptr<const Catalog>& catalog) {
+Result<Fragment> with_ids(const Fragment& fragment, const std::function<std::string(const std::string&)>& new_id, const Reading& table) {
     const SourceText source("pasted", fragment.text);
     const YamlTree tree = read_yaml(source);
     std::vector<const YamlNode*> ids;
@@ -67,7 +67,7 @@ Result<Fragment> with_ids(const Fragment& fragment, const std::function<std::str
     std::string text = fragment.text;
     for (std::size_t i = ids.size(); i-- > 0;)
         if (names[i] != ids[i]->text) text.replace(ids[i]->span.begin, ids[i]->span.end - ids[i]->span.begin, names[i]);
-    Result<std::vector<Fragment>> again = read_fragments(text, catalog);
+    Result<std::vector<Fragment>> again = read_fragments(text, table);
     if (!again) return tl::unexpected(again.error());
     return std::move(again->front());
 }

@@ -37,7 +37,9 @@ Json kind_schema(const FieldType& field) {
             const Json word{{"anyOf", {Json{{"enum", field.choices}}, dollar}}};
             return {{"anyOf", {word, {{"type", "array"}, {"items", word}, {"maxItems", Limits{}.points}}}}};
         }
-        case FieldKind::text: return {{"type", {"string", "number", "boolean"}}};
+        case FieldKind::text:
+            if (field.meta.meaning == Meaning::formula) return {{"type", {"string", "number"}}};
+            return {{"type", {"string", "number", "boolean"}}};
         case FieldKind::color:
             return {{"type", "string"}, {"pattern", R"(^(#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})|[a-zA-Z]+|\$[a-z_][a-z0-9_]*)$)"}};
         case FieldKind::id: return {{"type", "string"}, {"pattern", R"(^\$?[a-z_][a-z0-9_]*$)"}};

@@ -10,6 +10,8 @@ struct Word {
     std::string_view theirs, hint;
 };
 
+constexpr std::string_view formula = "write formula: {distance: \"length(x, y) - 3cm\", bounds: [8cm, 8cm]}";
+
 constexpr std::array nodes{
     Word{"target", "there are no targets yet; a box with an id is hit and counted as well: <id>.hits"},
     Word{"gate", "there are no gates yet; a ramp with a step behind it lets balls through one way"},
@@ -37,6 +39,12 @@ constexpr std::array nodes{
     Word{"polyline", "write path: {points: [[x, y], ...], thickness: 8mm}"},
     Word{"curve", "write path, quadratic_bezier or cubic_bezier"},
     Word{"bezier", "write quadratic_bezier or cubic_bezier"},
+    Word{"function", formula},
+    Word{"equation", formula},
+    Word{"expression", formula},
+    Word{"implicit", formula},
+    Word{"sdf", formula},
+    Word{"metaballs", formula},
     Word{"rect", "write box: {size: [width, height]}"},
     Word{"rectangle", "write box: {size: [width, height]}"},
     Word{"square", "write box: {size: [side, side]}"},

@@ -163,6 +163,18 @@ Reading read_again(const Reading& now, const std::shared_ptr<const SourceText>& 
     return read_text(text, now.scene.shared_catalog(), limits, {now.open, now.files});
 }
 
+void know_names_of(const Reading& table, ReadContext& context) {
+    if (!table.tree->root || table.tree->root->kind != YamlKind::map) return;
+    for (const auto& [path, file] : table.files)
+        if (file->tree->root) context.files.push_back({file->source.get(), file->tree->root});
+    context.files.push_back({&table.source(), table.tree->root});
+    context.names = &context.table_names;
+    const std::size_t findings = context.diagnostics.size();
+    Scene unused(table.scene.shared_catalog());
+    for (const auto phase : {Section::Phase::params, Section::Phase::templates}) read_phase(context, unused, phase);
+    context.diagnostics.resize(findings);  // said where the table was read
+}
+
 Reading read_with_params(const Reading& now, const std::map<std::string, double>& values, const Limits& limits) {
     return read_tree(now.scene.sources.shared_main(), now.tree, now.scene.shared_catalog(), limits, {now.open, now.files, &values});
 }

@@ -12,6 +12,8 @@
 
 namespace pinfield {
 
+struct ReadContext;
+
 /// Everything one reading of a text gives: whoever edits the text goes on from here, without reading it again.
 struct Reading {
     std::shared_ptr<const YamlTree> tree;  ///< of the main text
@@ -30,6 +32,9 @@ Reading read_table(std::shared_ptr<const SourceText> source, std::shared_ptr<con
 /// Another text of the same table. The files it includes are those that `now` has read; only for further ones is the disk asked.
 Reading read_again(const Reading& now, std::string text, const Limits& limits = {});
 Reading read_again(const Reading& now, const std::shared_ptr<const SourceText>& text, const Limits& limits = {});
+
+/// Makes a table's params and templates known where something that is not yet in it is read.
+void know_names_of(const Reading& table, ReadContext& context);
 
 /// The same text once more as though these params were written with these values: what moving a slider makes of the table.
 Reading read_with_params(const Reading& now, const std::map<std::string, double>& values, const Limits& limits = {});

@@ -10,6 +10,7 @@
 #include "engine/core/color.h"
 #include "engine/core/numbers.h"
 #include "engine/io/calculate.h"
+#include "engine/io/formula_reader.h"
 #include "engine/io/quantity.h"
 #include "engine/scene/validate.h"
 #include "engine/io/yaml_text.h"
@@ -245,6 +246,8 @@ std::optional<Value> read_value(ReadContext& context, const FieldType& field, co
             return read_texts(context, node, context.limits.points, [&](const YamlNode& item) { return read_word(context, field, item); });
         case FieldKind::color: return as_value(read_color(context, field, node));
         case FieldKind::text:
+            if (field.meta.meaning == Meaning::formula) return as_value(read_formula(context, field, node));
+            [[fallthrough]];
         case FieldKind::choice: return as_value(read_word(context, field, node));
     }
     return {};

@@ -198,11 +198,11 @@ double Emitter::reach_of(const Op& op) const {
     return op.kernels->reach ? op.kernels->reach(field_.params.data() + op.params, op.child_count) * op.scale : 0;
 }
 
-/// Is the op's field no distance for the sake of a warp?
+/// Is the op's field no distance for the sake of a warp or a formula?
 bool Emitter::is_warped(int index) const {
     const Op& op = at(field_.ops, index);
     if (op.exactness.outside == Side::exact) return false;
-    if (op.kernels->form == sdf::Form::warp) return true;
+    if (op.kernels->form == sdf::Form::warp || op.kernels->bounds_below) return true;
     for (int i = 0; i < op.child_count; ++i)
         if (is_warped(child_of(op, i))) return true;
     return false;
@@ -218,6 +218,8 @@ Box2 Emitter::box_to_grow(int index, double reach) const {
 Box2 Emitter::box_below(int index, double level) const {
     const Op& op = at(field_.ops, index);
     if (!is_warped(index)) return op.bounds.grown(level);
+    if (op.kernels->bounds_below)
+        return op.local_from_field.inverse() * op.kernels->bounds_below(field_.params.data() + op.params, level / op.scale);
     const double factor = op.kernels->form == sdf::Form::warp ? op.kernels->factor(field_.params.data() + op.params) : 1;
     const double reach = reach_of(op);
     std::vector<Box2> boxes;

@@ -107,6 +107,17 @@ const sdf::Outline& FanFinder::outline_of(int index) {
     return found->second;
 }
 
+/// Of a field that is known over boxes, all gradients of the square about the disc: a rectangle of them.
+Fan FanFinder::fan_over_square(const Op& op, const Vec2& p, double radius) const {
+    const Vec2 there = op.local_from_field * p, reach = Vec2(1, 1) * (radius / op.scale);
+    const Box2 ways = op.kernels->over_box(field_.params.data() + op.params, {there - reach, there + reach}).gradients;
+    if (!ways.is_finite() || ways.contains({0, 0})) return Fan::all();
+    Fan out;
+    for (const Vec2& way : {ways.lo, Vec2(ways.hi.x(), ways.lo.y()), ways.hi, Vec2(ways.lo.x(), ways.hi.y())})
+        out.include(direction_before(op.local_from_field, way));
+    return out;
+}
+
 /// Of an outline, all pieces may matter that can be the nearest somewhere in the disc. What has none is asked in the middle and round about.
 FanFinder::Near FanFinder::near_shape(int index, const Vec2& p, double radius) {
     const Op& op = at(field_.ops, index);
@@ -114,6 +125,10 @@ FanFinder::Near FanFinder::near_shape(int index, const Vec2& p, double radius) {
     Near out{middle.value, op.exactness.lipschitz * radius, middle.gradient, {}};
     out.fan.include(middle.gradient);
     if (op.kernels->endless) return out;
+    if (op.kernels->over_box) {
+        out.fan = fan_over_square(op, p, radius);
+        return out;
+    }
     const sdf::Outline& outline = outline_of(index);
     if (outline.empty()) {
         constexpr double diagonal = 0.70710678118654752;

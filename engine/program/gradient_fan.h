@@ -50,6 +50,7 @@ private:
     };
     Near near(int index, const Vec2& p, double radius);
     Near near_shape(int index, const Vec2& p, double radius);
+    Fan fan_over_square(const Op& op, const Vec2& p, double radius) const;
     Near near_fold(const Op& op, const Vec2& p, double radius);
     Near near_modify(const Op& op, const Vec2& p, double radius);
     Near near_images(const Op& op, const Vec2& p, double radius);

@@ -34,8 +34,9 @@ constexpr Limit from(double v) { return {v, false}; }
 constexpr Limit to(double v) { return {v, false}; }
 
 /// What a field's value stands for beyond its kind. id: the node's own name. material, input, layer: names of such. count: how many
-/// copies an operation makes, which costs as many. place: a point, or points, of the node's own frame, for a hand to take hold of.
-enum class Meaning : unsigned char { plain, color, id, material, input, layer, count, place };
+/// copies an operation makes, which costs as many. place: a point, or points, of the node's own frame, for a hand to take hold of. formula: a
+/// text that is an expression of the node's own x and y, and a length.
+enum class Meaning : unsigned char { plain, color, id, material, input, layer, count, place, formula };
 
 /// What an edit of the field changes of a compiled table. structure: what is counted over the whole table (names, layers). shape: the
 /// node and what it belongs to. drawing: only how it looks. nothing: what is for people and tools.

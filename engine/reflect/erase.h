@@ -18,6 +18,13 @@ namespace pinfield {
 template <class E>
 concept Choice = std::is_enum_v<E> && requires(E e) { choice_names(e); };
 
+/// A text that a formula reads says how: `static PackText pack`; and, as a member's initialiser, what it is by default: `text`.
+template <class M>
+concept PackedText = requires(const M& member) {
+    static_cast<PackText*>(M::pack);
+    std::string(member.text);
+};
+
 namespace detail {
 
 template <class M>
@@ -30,6 +37,7 @@ FieldKind kind_of(Meaning meaning) {
     else if constexpr (Choice<M>) return FieldKind::choice;
     else if constexpr (is_choice_list<M>) return FieldKind::choices;
     else if constexpr (std::is_same_v<M, std::vector<std::string>>) return FieldKind::names;
+    else if constexpr (PackedText<M>) return FieldKind::text;
     else {
         static_assert(std::is_same_v<M, std::string>, "a field is bool, int, double, Point, PointList, enum, ChoiceList or text");
         return meaning == Meaning::color                                 ? FieldKind::color
@@ -52,6 +60,8 @@ Value value_of(const M& member) {
         std::vector<std::string> words;
         for (int i = 0; i < member.count; ++i) words.emplace_back(at(choice_names(member[i]), member[i]));
         return words;
+    } else if constexpr (PackedText<M>) {
+        return std::string(member.text);
     } else {
         return member;
     }
@@ -63,7 +73,8 @@ FieldType erase_field(const T& defaults) {
     constexpr auto f = std::get<I>(description.fields);
     using M = std::remove_cvref_t<decltype(defaults.*f.member)>;
     // Built in place: assigned later, the inlined temporary looks to GCC 12 like memory freed that was never allocated.
-    FieldType out{f.key, kind_of<M>(f.meta.meaning), f.meta, value_of(defaults.*f.member), {}, false};
+    FieldType out{f.key, kind_of<M>(f.meta.meaning), f.meta, value_of(defaults.*f.member), {}, false, nullptr};
+    if constexpr (PackedText<M>) out.pack_text = M::pack;
     if constexpr (Choice<M>)
         for (const std::string_view word : choice_names(M{})) out.choices.push_back(word);
     if constexpr (is_choice_list<M>)

@@ -40,6 +40,10 @@ inline void load_member(M T::*member, T& node, const double* block, int& slot) {
         out.indices = block + static_cast<int>(block[slot]);
         out.count = static_cast<int>(block[slot + 1]);
         slot += 2;
+    } else if constexpr (requires { M::pack; }) {  // a text that a formula reads
+        out.reals = block + static_cast<int>(block[slot]);
+        out.count = static_cast<int>(block[slot + 1]);
+        slot += 2;
     } else if constexpr (std::is_same_v<M, bool>) {
         out = block[slot++] != 0;
     } else if constexpr (std::is_same_v<M, int> || std::is_enum_v<M>) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/core/numbers.h"
+#include "engine/reflect/text_fault.h"
 
 namespace pinfield {
 namespace {
@@ -38,6 +39,13 @@ std::optional<std::string> why_invalid_vec2(const FieldMeta& meta, const Vec2& v
 std::optional<std::string> why_invalid_choice(const FieldType& field, const std::string& word) {
     if (std::find(field.choices.begin(), field.choices.end(), word) != field.choices.end()) return {};
     return fmt::format("must be one of {}", fmt::join(field.choices, ", "));
+}
+
+std::optional<std::string> why_invalid_text(const FieldType& field, const std::string& text) {
+    std::vector<double> read;
+    if (!field.pack_text) return {};
+    if (auto fault = field.pack_text(text, read)) return std::move(fault->message);
+    return {};
 }
 
 double index_of_choice(const FieldType& field, const std::string& word) {
@@ -81,6 +89,8 @@ std::optional<std::string> why_invalid(const FieldType& field, const Value& valu
                 if (auto why = why_invalid_choice(field, word)) return why;
             return {};
         case FieldKind::text:
+            if (!std::holds_alternative<std::string>(value)) return wrong_kind();
+            return why_invalid_text(field, std::get<std::string>(value));
         case FieldKind::color:
         case FieldKind::id:
             if (!std::holds_alternative<std::string>(value)) return wrong_kind();
@@ -114,6 +124,10 @@ std::vector<double> pack(const NodeType& type, std::span<const Value> own_values
                 block.insert(block.end(), 2, 0.0);
                 break;
             case FieldKind::text:
+                if (!field.pack_text) break;
+                lists.emplace_back(block.size(), i);
+                block.insert(block.end(), 2, 0.0);
+                break;
             case FieldKind::color:
             case FieldKind::id:
             case FieldKind::names: break;
@@ -125,6 +139,10 @@ std::vector<double> pack(const NodeType& type, std::span<const Value> own_values
         if (const auto* points = std::get_if<std::vector<Vec2>>(&own_values[i])) {
             block[slot + 1] = static_cast<double>(points->size());
             for (const Vec2& p : *points) block.insert(block.end(), {p.x(), p.y()});
+        } else if (const auto* text = std::get_if<std::string>(&own_values[i])) {
+            const std::size_t before = block.size();
+            type.fields[i].pack_text(*text, block);
+            block[slot + 1] = static_cast<double>(block.size() - before);
         } else {
             const auto& words = std::get<std::vector<std::string>>(own_values[i]);
             block[slot + 1] = static_cast<double>(words.size());

@@ -15,6 +15,10 @@ namespace sdf {
 struct Kernels;  // what a shape or operation computes: engine/sdf/kernels.h
 }
 struct PartTraits;  // what a part is made of: engine/scene/part_traits.h
+struct TextFault;   // what is wrong with a text: text_fault.h
+
+/// Appends to a block what a formula reads of a text; nothing where the text is wrong.
+using PackText = std::optional<TextFault>(std::string_view text, std::vector<double>& block);
 
 struct FieldType {
     std::string_view key;
@@ -23,6 +27,7 @@ struct FieldType {
     Value initial;
     std::vector<std::string_view> choices;  ///< of a `choice` or `choices`, in declaration order
     bool common = false;                    ///< one of the fields every scene node has (id, at, turn ...)
+    PackText* pack_text = nullptr;          ///< of a text that a formula reads; null: texts are not packed
 };
 
 struct ContractType {
@@ -51,7 +56,8 @@ inline constexpr double longest_length = 1e6, shortest_length = 1e-9;
 std::optional<std::string> why_invalid(const FieldType& field, const Value& value);
 
 /// The packed block of a node: one real per bool, int, number or choice (its index), two per vec2, and (offset, count) per list
-/// of points, whose coordinates follow after `derived` further reals left 0 for the node's derive(). Texts, ids and names take none.
+/// of points, whose coordinates follow after `derived` further reals left 0 for the node's derive(), as does what a formula reads of a text.
+/// Other texts, ids and names take none.
 std::vector<double> pack(const NodeType& type, std::span<const Value> own_values, int derived = 0);
 
 /// Sentence of the first contract the packed values break, or nothing. Ranges are checked by why_invalid().

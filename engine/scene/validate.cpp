@@ -8,6 +8,7 @@
 #include "engine/core/at.h"
 #include "engine/core/closest.h"
 #include "engine/core/error_codes.h"
+#include "engine/reflect/text_fault.h"
 #include "engine/scene/part_traits.h"
 #include "engine/sdf/kernels.h"
 
@@ -116,6 +117,30 @@ void check_nodes(const Scene& scene, std::size_t most, Diagnostics& findings) {
     }
 }
 
+bool has_formula(const NodeType& type) { return type.kernels && type.kernels->refusal; }
+
+/// Bytes of a field's text as bytes of the author's; the whole field where the author's text does not hold it letter by letter.
+Place place_within(const FieldSlot& slot, const std::string& text, Span span) {
+    const std::size_t length = slot.where.span.end - slot.where.span.begin;
+    const bool is_quoted = length == text.size() + 2;
+    if (slot.written || (length != text.size() && !is_quoted)) return slot.where;
+    const std::size_t begin = slot.where.span.begin + (is_quoted ? 1 : 0);
+    return {slot.where.file, {begin + span.begin, begin + span.end}};
+}
+
+/// What a formula's text breaks, by itself or with the node's other values.
+std::optional<Diagnostic> refused_formula(const Node& node, const std::vector<double>& params) {
+    if (!has_formula(*node.type)) return {};
+    const auto field = std::find_if(node.type->fields.begin(), node.type->fields.end(), [](const FieldType& f) { return f.pack_text != nullptr; });
+    const FieldSlot& slot = node.fields[static_cast<std::size_t>(field - node.type->fields.begin())];
+    const auto& text = std::get<std::string>(slot.value);
+    std::vector<double> read;
+    std::optional<TextFault> fault = field->pack_text(text, read);
+    if (!fault) fault = node.type->kernels->refusal(params.data(), text);
+    if (!fault) return {};
+    return diagnose(fault->code, slot.where ? place_within(slot, text, fault->span) : node.key, fault->message, fault->hint);
+}
+
 }  // namespace
 
 bool is_name(std::string_view text) {
@@ -139,14 +164,14 @@ std::optional<Diagnostic> misplaced_part(const NodeType& type, const NodeType* p
 
 std::optional<Diagnostic> broken_contract(const Node& node) {
     const NodeType& type = *node.type;
-    if (type.contracts.empty()) return {};
+    if (type.contracts.empty() && !has_formula(type)) return {};
     std::vector<Value> own;
     own.reserve(static_cast<std::size_t>(type.own_fields));
     for (int i = 0; i < type.own_fields; ++i) own.push_back(at(node.fields, i).value);
     // A contract may read what derive() fills in, so the block has room for it.
     const std::vector<double> params = pack(type, own, type.kernels ? type.kernels->derived_count : 0);
     const auto sentence = broken_contract(type, params.data());
-    if (!sentence) return {};
+    if (!sentence) return refused_formula(node, params);
     const bool is_material = type.meta.kind == NodeKind::record && !node.name.empty();
     return diagnose(Code::broken_contract, node.key,
                     fmt::format("{}: {} must hold", is_material ? std::string_view(node.name) : type.key(), *sentence));

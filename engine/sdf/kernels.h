@@ -2,7 +2,9 @@
 // switch over node kinds. make_kernels.h fills it from the node's struct.
 #pragma once
 #include <array>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/geometry.h"
@@ -10,6 +12,10 @@
 #include "engine/sdf/clearance.h"
 #include "engine/sdf/lattice.h"
 #include "engine/sdf/outline.h"
+
+namespace pinfield {
+struct TextFault;  // engine/reflect/text_fault.h
+}
 
 namespace pinfield::sdf {
 
@@ -28,6 +34,12 @@ struct Sample {
 /// f = combine(a, b) with its partial derivatives.
 struct Partials {
     double value = 0, by_a = 0, by_b = 0;
+};
+
+/// Holds what a field can be anywhere in a box.
+struct FieldOverBox {
+    double least = 0, most = 0;
+    Box2 gradients;  ///< as points of a plane of its own
 };
 
 /// How a unary operation changes a distance: f = sign * d + offset, or f = |d| + offset. sign is +1 or -1.
@@ -94,6 +106,11 @@ struct Kernels {
     void (*outline)(const double* params, Outline& out) = nullptr;  ///< null: never of lines and arcs; may give none
     bool convex = false;
     bool endless = false;  ///< a half plane: its outline is all of the local x axis
+    /// Of a shape whose outside is only a bound: holds where its field is below `level` metres > 0, which may be far out. Null: no farther than that.
+    Box2 (*bounds_below)(const double* params, double level) = nullptr;
+    FieldOverBox (*over_box)(const double* params, const Box2& box) = nullptr;  ///< null: the field is known by samples
+    /// Why the values make no shape, as only its mathematics can tell: the fault is of the text that it reads. Null: there is no such reason.
+    std::optional<TextFault> (*refusal)(const double* params, std::string_view text) = nullptr;
 
     // fold
     double (*combine)(const double* params, double a, double b) = nullptr;

@@ -7,6 +7,7 @@
 #include "engine/reflect/erase.h"
 #include "engine/reflect/load.h"
 #include "engine/sdf/dual.h"
+#include "engine/sdf/interval_dual.h"
 #include "engine/sdf/kernels.h"
 #include "engine/sdf/node_list.h"
 #include "engine/sdf/outline_path.h"
@@ -67,6 +68,16 @@ void fill_shape(Kernels& k) {
             pack_outline(out, T::most_pieces, params + packed_size<T>());
         };
     }
+    if constexpr (requires { { T::known_over_boxes } -> std::convertible_to<bool>; })
+        k.over_box = [](const double* params, const Box2& box) {
+            const Interval x(box.lo.x(), box.hi.x()), y(box.lo.y(), box.hi.y()), one(1), none(0);
+            const IntervalDual d = load<N<IntervalDual>>(params).distance({{x, one, none}, {y, none, one}});
+            return FieldOverBox{d.v.lo, d.v.hi, {{d.dx.lo, d.dy.lo}, {d.dx.hi, d.dy.hi}}};
+        };
+    if constexpr (requires(const T& node) { { node.bounds_below(1.0) } -> std::same_as<Box2>; })
+        k.bounds_below = [](const double* params, double below) { return load<T>(params).bounds_below(below); };
+    if constexpr (requires(const T& node, std::string_view text) { node.refusal(text); })
+        k.refusal = [](const double* params, std::string_view text) { return load<T>(params).refusal(text); };
     if constexpr (requires(const T& node, Outline& out) { node.outline(out); })
         k.outline = [](const double* params, Outline& out) { load<T>(params).outline(out); };
     if constexpr (requires { { T::convex } -> std::convertible_to<bool>; }) k.convex = T::convex;

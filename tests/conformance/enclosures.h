@@ -5,7 +5,7 @@
 #include "engine/reflect/load.h"
 #include "engine/sdf/packet_kernels.h"
 #include "tests/conformance/interval_box.h"
-#include "tests/conformance/interval_dual.h"
+#include "engine/sdf/interval_dual.h"
 
 namespace pinfield::sdf {
 

@@ -1,4 +1,4 @@
-// scenes/tables/gallery.yaml keeps its promises: everything is shown, nothing is crowded, and a visit does no harm.
+// scenes/tables/gallery.yaml keeps its promises: everything is shown, nothing is crowded, and a visit does no harm; and formulas.yaml.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,9 +31,9 @@ struct Gallery {
     }
 };
 
-Gallery open_gallery() {
+Gallery open_gallery(const std::string& name = "gallery") {
     const auto catalog = std::make_shared<const Catalog>(built_in_catalog());
-    const Result<Reading> table = load_table(test::source_dir() + "/scenes/tables/gallery.yaml", catalog);
+    const Result<Reading> table = load_table(fmt::format("{}/scenes/tables/{}.yaml", test::source_dir(), name), catalog);
     REQUIRE(table.has_value());
     for (const Diagnostic& diagnostic : table->diagnostics) FAIL_CHECK(format(diagnostic, table->scene.sources));
     const auto program = compile(table->scene);
@@ -53,6 +53,18 @@ TEST_CASE("the gallery shows every shape and every operation") {
     }
 }
 
+TEST_CASE("ten formulas stand on their table, and the outline of each was found") {
+    const Gallery gallery = open_gallery("formulas");
+    int formulas = 0;
+    for (const Solid& solid : gallery.program->fixed.solids) {
+        if (gallery.scene.find(solid.origin)->type->key() != "formula") continue;
+        ++formulas;
+        CHECK(solid.lowered);
+        CHECK(solid.fit_error > 0);
+    }
+    CHECK(formulas == 10);
+}
+
 /// From any point between two solids the distances to both add up to no less than the gap; over a fine grid the least sum is the gap.
 TEST_CASE("between any two exhibits of the gallery there is room for a ball, and for one along the walls") {
     const Gallery gallery = open_gallery();
@@ -60,7 +72,7 @@ TEST_CASE("between any two exhibits of the gallery there is room for a ball, and
     std::vector<int> hung;
     for (std::size_t i = 0; i < field.solids.size(); ++i)
         if (gallery.is_exhibit(field.solids[i]) || field.solids[i].is_domain) hung.push_back(static_cast<int>(i));
-    REQUIRE(hung.size() == 78);  // 73 nodes, 4 bumpers, the room
+    REQUIRE(hung.size() == 78);  // 74 nodes, 3 bumpers, the room
     const double ball = 2 * gallery.program->physics.ball_radius, step = 0.004;
     double least = infinity;
     std::string where;
@@ -84,8 +96,9 @@ TEST_CASE("between any two exhibits of the gallery there is room for a ball, and
     CHECK(least < 2 * ball);  // else nothing was measured
 }
 
-TEST_CASE("twenty balls that walk the gallery pass through no exhibit") {
-    const Gallery gallery = open_gallery();
+TEST_CASE("twenty balls that walk the gallery, or among the formulas, pass through no exhibit") {
+    const auto name = GENERATE("gallery", "formulas");
+    const Gallery gallery = open_gallery(name);
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
         WorldOptions how;
         how.seed = seed;

@@ -1,4 +1,4 @@
-#include "tests/conformance/interval.h"
+#include "engine/sdf/interval.h"
 
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
@@ -8,7 +8,7 @@
 #include "engine/core/at.h"
 #include "engine/core/rng.h"
 #include "engine/sdf/dual.h"
-#include "tests/conformance/interval_dual.h"
+#include "engine/sdf/interval_dual.h"
 
 namespace pinfield::sdf {
 namespace {

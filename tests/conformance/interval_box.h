@@ -1,7 +1,7 @@
 // Boxes of points as intervals, and what enclosures of values and gradients over them are made of.
 #pragma once
 #include "engine/core/geometry.h"
-#include "tests/conformance/interval.h"
+#include "engine/sdf/interval.h"
 
 namespace pinfield::sdf {
 

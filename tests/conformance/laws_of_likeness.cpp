@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <optional>
 
@@ -11,7 +12,20 @@
 namespace pinfield::conformance {
 namespace {
 
+/// A formula of which every length is multiplied: factor * f(x / factor, y / factor).
+std::string formula_times(double factor, const std::string& text) {
+    const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.'; };
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool is_name = (text[i] == 'x' || text[i] == 'y') && (i == 0 || !is_of_word(text[i - 1])) &&
+                             (i + 1 == text.size() || !is_of_word(text[i + 1]));
+        out += is_name ? fmt::format("({} / {})", text[i], factor) : std::string(1, text[i]);
+    }
+    return fmt::format("{} * ({})", factor, out);
+}
+
 Value times(double factor, const FieldType& field, const Value& value) {
+    if (field.meta.meaning == Meaning::formula) return formula_times(factor, std::get<std::string>(value));
     if (field.meta.unit != Unit::metre) return value;
     if (const double* number = std::get_if<double>(&value)) return factor * *number;
     if (const Vec2* pair = std::get_if<Vec2>(&value)) return Vec2(factor * *pair);

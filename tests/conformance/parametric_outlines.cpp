@@ -5,6 +5,7 @@
 #include "engine/sdf/nodes/blobby_cross.h"
 #include "engine/sdf/nodes/cubic_bezier.h"
 #include "engine/sdf/nodes/ellipse.h"
+#include "engine/sdf/nodes/formula.h"
 #include "engine/sdf/nodes/parabola_segment.h"
 #include "engine/sdf/nodes/path.h"
 #include "engine/sdf/nodes/quadratic_bezier.h"
@@ -127,6 +128,15 @@ void path(const sdf::Path<double>& shape, int points_of_piece, Points& out) {
     if (from != to) add_part(points_of_piece, [&](double t) { return Vec2(from + t * (to - from)); }, out);
 }
 
+/// Of the default, where its window does not cut it.
+void formula(const sdf::Formula<double>& shape, int points, Points& out) {
+    if (std::min(shape.window.x, shape.window.y) < 0.064) return;
+    add_part(8 * points, [&](double t) {
+        const SineCosine way = sine_cosine(two_pi * t);
+        return Vec2((0.03 - 0.002 * sine(8 * two_pi * t)) * Vec2(way.cosine, way.sine));
+    }, out);
+}
+
 template <template <class> class N, void (*add_points)(const N<double>& shape, int points, Points& out)>
 NamedOutline outline_of() {
     return {N<double>::describe().meta.key,
@@ -143,7 +153,8 @@ std::vector<NamedOutline> parametric_outlines() {
             outline_of<sdf::QuadraticBezier, quadratic_bezier>(),
             outline_of<sdf::CubicBezier, cubic_bezier>(),
             outline_of<sdf::Spiral, spiral>(),
-            outline_of<sdf::Path, path>()};
+            outline_of<sdf::Path, path>(),
+            outline_of<sdf::Formula, formula>()};
 }
 
 }  // namespace pinfield::conformance

@@ -85,7 +85,7 @@ double distance_between(const Vec2& a, const Vec2& b, const std::vector<Loop>& c
     return best;
 }
 
-/// The outline in straight edges, which stray from it by at most `error`, measured in their middles.
+/// The outline in straight edges, which stray from it by at most `error`, measured in their middles, where a bound rises by its slope.
 std::vector<Loop> polygon_of(const Subject& subject, double& error) {
     std::vector<Loop> out;
     sdf::Outline pieces;
@@ -101,8 +101,10 @@ std::vector<Loop> polygon_of(const Subject& subject, double& error) {
     }
     error = 0;
     for (const Loop& chain : out)
-        for (std::size_t i = 0; i + 1 < chain.size(); ++i)
-            error = std::max(error, std::fabs(subject.value(0.5 * (chain[i] + chain[i + 1]))));
+        for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+            const sdf::Sample middle = subject.sample(0.5 * (chain[i] + chain[i + 1]));
+            error = std::max(error, std::fabs(middle.value) / length(middle.gradient));
+        }
     return out;
 }
 

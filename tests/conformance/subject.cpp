@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/core/numbers.h"
+#include "engine/reflect/text_fault.h"
 
 namespace pinfield::conformance {
 namespace {
@@ -37,7 +38,8 @@ bool Subject::accepted(const NodeType& type, const std::vector<Value>& values) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(type.own_fields); ++i)
         if (why_invalid(type.fields[i], values[i])) return false;
     const std::vector<double> block = pack(type, values, type.kernels->derived_count);
-    return !broken_contract(type, block.data());
+    if (broken_contract(type, block.data())) return false;
+    return !type.kernels->refusal || !type.kernels->refusal(block.data(), {});
 }
 
 std::string Subject::text() const {

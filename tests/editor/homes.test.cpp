@@ -158,3 +158,23 @@ TEST_CASE("neighbours become a template, a number a param, and a param is writte
     run(state, "edit.undo");
     CHECK(text_of(state) == table);
 }
+
+TEST_CASE("what calls params and templates is duplicated, copied and pasted as its author wrote it") {
+    const Folder folder;
+    AppState state = state_of(folder);
+    state.selection = Selection({id_of(state.document, "dot"), id_of(state.document, "small"), id_of(state.document, "post")});
+    run(state, "edit.duplicate");
+    const Scene& scene = state.document.scene();
+    REQUIRE(scene.find("dot_2"));
+    REQUIRE(scene.find("small_2.wheel"));
+    REQUIRE(scene.find("post_2.3"));
+    CHECK_THAT(text_of(state), Catch::Contains("id: dot_2, at: [") && Catch::Contains("radius: bloom * 0.5"));
+    CHECK(scene.find("small_2.wheel")->get<double>("radius") == 0.02);
+    run(state, "edit.undo");
+    CHECK(text_of(state) == table);
+    run(state, "edit.copy");
+    run(state, "edit.paste_in_place");
+    CHECK(state.document.scene().find("dot_2")->get<double>("radius") == 0.017);
+    run(state, "edit.undo");
+    CHECK(text_of(state) == table);
+}

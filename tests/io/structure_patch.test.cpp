@@ -50,7 +50,7 @@ std::string inserted(const std::string& text, std::string_view parent, int index
     const Reading now = read(text);
     INFO(told(now));
     REQUIRE(now.ok());
-    const auto fragments = read_fragments(what, catalog());
+    const auto fragments = read_fragments(what, now);
     if (!fragments) return "unread: " + fragments.error().message;
     return after(now, Insert{id_of(now, parent), index, now.scene.with_new_ids(fragments->front().nodes), fragments->front().text});
 }

@@ -100,6 +100,7 @@ constexpr std::string_view words[] = {"plain",      "two words", "with: colon", 
                                       "\"quoted\"", "[list]",    "naïve ☃",     "null",      "~",           "",
                                       "-dash",      "1e3",       "line\nbreak", "tab\t",     "back\\slash", "a, b",
                                       "*star",      "&and",      "%",           "trailing:", "x: y",        "yes"};
+constexpr std::string_view formulas[] = {"x", "x - 2mm", "length(x, y) - 2cm", "max(abs(x), abs(y)) - 1cm", "-y", "floor(x / 1cm) * 1cm"};
 
 }  // namespace
 
@@ -148,7 +149,9 @@ Value another_value(const FieldType& field, const Value& value, CounterRng& rng)
             for (std::string& word : out) word = field.choices[rng.next_u64() % field.choices.size()];
             return out;
         }
-        case FieldKind::text: return std::string(words[rng.next_u64() % std::size(words)]);
+        case FieldKind::text:
+            if (field.meta.meaning == Meaning::formula) return std::string(formulas[rng.next_u64() % std::size(formulas)]);
+            return std::string(words[rng.next_u64() % std::size(words)]);
         case FieldKind::color: return std::string(rng.next_u64() % 2 ? "#0a1b2c" : "gold");
         case FieldKind::id: return std::string("name_") + std::to_string(rng.next_u64() % 100);
         case FieldKind::names: return std::vector<std::string>(rng.next_u64() % 4, "upper");

@@ -33,15 +33,17 @@ NodeId add_warp(Scene& scene, std::string_view key, NodeId parent) {
 
 }  // namespace
 
-TEST_CASE("a blend of warps lies in its box, however far it reaches out of theirs") {
-    for (const char* warp : {"displace", "stretch", "twist", "bend", "elongate"})
+TEST_CASE("a blend of warps or formulas lies in its box, however far it reaches out of theirs") {
+    for (const char* warp : {"displace", "stretch", "twist", "bend", "elongate", "formula"})
         for (const char* between : {"", "union", "mirror", "smooth_union"}) {
             INFO(warp << " below " << between);
             Scene scene(catalog());
             const NodeId blend = add(scene, "smooth_union", {}, {{"k", 0.04}, {"scale", 1.5}});
             for (int i = 0; i < 2; ++i) {  // two alike, so that the blend adds as much as it can
                 const NodeId parent = *between ? add(scene, between, blend) : blend;
-                add(scene, "box", add_warp(scene, warp, parent), {{"size", Vec2(0.2, 0.1)}, {"at", Vec2(0.05, 0.01)}});
+                if (warp == std::string_view("formula"))  // flat in one direction, for the sake of the other
+                    add(scene, "formula", parent, {{"distance", "max(abs(x) - 10cm, 12 * (abs(y) - 5cm))"}, {"bounds", Vec2(0.8, 0.3)}, {"at", Vec2(0.05, 0.01)}});
+                else add(scene, "box", add_warp(scene, warp, parent), {{"size", Vec2(0.2, 0.1)}, {"at", Vec2(0.05, 0.01)}});
             }
             const ProgramPtr program = compiled(scene);
             const Solid& solid = program->fixed.solids[static_cast<std::size_t>(first_shape(*program))];

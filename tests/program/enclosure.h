@@ -1,7 +1,7 @@
 // What an op's tree can be over a box: a witness of what pruning by Lipschitz constants claims, that knows nothing of the constants.
 #pragma once
 #include "engine/program/program.h"
-#include "tests/conformance/interval.h"
+#include "engine/sdf/interval.h"
 
 namespace pinfield::test {
 

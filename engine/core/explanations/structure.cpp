@@ -148,6 +148,11 @@ constexpr Explanation all[] = {
      "mail. Paths have / between their words on every system, and count from the folder of the file that says them.",
      "pinfield: 1\ninclude: [../parts/walls.yaml]\nscene: [circle: {}]\n",
      "pinfield: 1\ninclude: [parts/walls.yaml]\nscene: [circle: {}]\n"},
+    {Code::no_distance,
+     "What balls collide with must tell at every place how far it is at least: so it may change only so fast. Where a formula may jump, have "
+     "no value or grow without end steep on its outline or nearby, no such bound is found, and none is believed unproved.",
+     "- formula: {distance: \"floor(x / 1cm) * 1cm\", bounds: [8cm, 8cm]}\n",
+     "- formula: {distance: \"length(x, y) - 3cm\", bounds: [8cm, 8cm]}\n"},
 };
 
 }  // namespace

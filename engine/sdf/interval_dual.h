@@ -1,7 +1,7 @@
 // Automatic differentiation over intervals: what a formula's value and gradient can be over a box of points. Where its branches meet in a
 // crease the enclosure of the gradient holds those of both sides, hence Clarke's generalised gradient; of a jump it knows nothing.
 #pragma once
-#include "tests/conformance/interval.h"
+#include "engine/sdf/interval.h"
 
 namespace pinfield::sdf {
 

@@ -74,15 +74,19 @@ inline Interval span_of(double a, double b, double c, double d) {
     if (std::isnan(a) || std::isnan(b) || std::isnan(c) || std::isnan(d)) return Interval::everything();
     return outward(min(min(a, b), min(c, d)), max(max(a, b), max(c, d)));
 }
+/// What is made of two that are not below 0 is not either, however it rounds.
+inline Interval of_sizes(const Interval& a, const Interval& b, const Interval& out) {
+    return a.lo >= 0 && b.lo >= 0 ? Interval{max(out.lo, 0.0), out.hi} : out;
+}
 /// One object times itself is a square, which is never negative: x * x, dot(v, v) and norm(v) are as sharp as they look.
 inline Interval operator*(const Interval& a, const Interval& b) {
     if ((a.is_zero() && b.is_finite()) || (b.is_zero() && a.is_finite())) return Interval(0);
     if (&a == &b) return square(a);
-    return span_of(a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi);
+    return of_sizes(a, b, span_of(a.lo * b.lo, a.lo * b.hi, a.hi * b.lo, a.hi * b.hi));
 }
 inline Interval operator/(const Interval& a, const Interval& b) {
     if (b.contains(0)) return Interval::everything();
-    return span_of(a.lo / b.lo, a.lo / b.hi, a.hi / b.lo, a.hi / b.hi);
+    return of_sizes(a, b, span_of(a.lo / b.lo, a.lo / b.hi, a.hi / b.lo, a.hi / b.hi));
 }
 
 inline IntervalMask operator<(const Interval& a, const Interval& b) { return {a.lo < b.hi, !(a.hi < b.lo)}; }
