@@ -6,12 +6,13 @@
 #include "editor/param_value.h"
 #include "editor/widgets/widgets.h"
 #include "engine/io/quantity.h"
+#include "engine/scene/elsewhere.h"
 
 namespace pinfield::editor {
 namespace {
 
 /// The value with its name before and its unit behind, on a bar as full as it is of its range.
-void draw_slider(const Theme& theme, const Param& param, ImVec2 place, ImVec2 size, const Tint& background) {
+void draw_slider(const Theme& theme, const Param& param, bool fixed, ImVec2 place, ImVec2 size, const Tint& background) {
     const Shown text = shown(param.value.value, unit_of(param.dimension));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{place.x + size.x, place.y + size.y};
@@ -26,7 +27,7 @@ void draw_slider(const Theme& theme, const Param& param, ImVec2 place, ImVec2 si
     }
     const float y = place.y + 0.5f * (size.y - ImGui::GetFontSize());
     const std::string number = text.unit.empty() ? text.number : text.number + " " + text.unit;
-    list.AddText({place.x + pad, y}, ink(param.is_calculated ? palette::quiet : palette::text), number.c_str());
+    list.AddText({place.x + pad, y}, ink(fixed ? palette::quiet : palette::text), number.c_str());
 }
 
 /// The value where the mouse has dragged the slider to.
@@ -51,8 +52,15 @@ void slide(AppState& state, Ui& ui, const Param& param, ImVec2 place, float widt
     }
 }
 
+/// Why no hand moves it, or nothing.
+std::optional<std::string> why_fixed(const Scene& scene, const Param& param) {
+    if (param.is_calculated) return fmt::format("Follows {}: change it in the text.", param.value.text);
+    return why_elsewhere(scene, param.name, param.where);
+}
+
 void param_row(AppState& state, Ui& ui, const Param& param) {
     const Theme& theme = ui.theme;
+    const std::optional<std::string> fixed = why_fixed(state.document.scene(), param);
     const float label = theme.px(104), width = ImGui::GetContentRegionAvail().x - label;
     const ImVec2 left = ImGui::GetCursorScreenPos();
     ImGui::AlignTextToFramePadding();
@@ -65,9 +73,9 @@ void param_row(AppState& state, Ui& ui, const Param& param) {
     const ImVec2 place{left.x + label, left.y}, size{width, ImGui::GetFrameHeight()};
     ImGui::SetCursorScreenPos(place);
     ImGui::InvisibleButton("slider", size);
-    const bool hot = ImGui::IsItemHovered() && !param.is_calculated, held = ImGui::IsItemActive() && !param.is_calculated;
-    draw_slider(theme, param, place, size, held ? palette::field_active : hot ? palette::field_hot : palette::field);
-    if (param.is_calculated) tooltip(theme, fmt::format("Follows {}: change it in the text.", param.value.text));
+    const bool hot = ImGui::IsItemHovered() && !fixed, held = ImGui::IsItemActive() && !fixed;
+    draw_slider(theme, param, fixed.has_value(), place, size, held ? palette::field_active : hot ? palette::field_hot : palette::field);
+    if (fixed) tooltip(theme, *fixed);
     else slide(state, ui, param, place, width);
 }
 

@@ -132,7 +132,9 @@ bool Inclusion::is_open(ReadContext& context, const YamlNode& item, const std::s
 Inclusion::File Inclusion::parsed(ReadContext& context, FoundFile found, const File& before, FileId number) {
     const std::string name = folder_ + found.path;
     File file = before;
-    if (!before || before->source->file() != number || before->source->name() != name) {
+    const bool is_same = before && before->source->file() == number && before->source->name() == name &&
+                         events_ + weight_of(*before->tree) <= context.limits.events;
+    if (!is_same) {
         Limits limits = context.limits;
         limits.events_before = events_;
         auto source = std::make_shared<const SourceText>(name, std::move(found.text), number);

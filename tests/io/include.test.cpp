@@ -313,4 +313,9 @@ TEST_CASE("events are counted over all files, so that many files cost no more th
     std::size_t main = 1;
     for (Limits alone; !read("pinfield: 1\ninclude: [a.yaml, b.yaml]\nscene: [circle: {}]\n", alone = {.events = main}).diagnostics.front().code.starts_with("E03");) ++main;
     CHECK(limits.events == main + 2 * one);
+    // Read again with a longer text of its own, too.
+    const Reading full = read_with(including("a.yaml, b.yaml"), files, limits);
+    CHECK(full.ok());
+    CHECK(read_again(full, including("a.yaml, b.yaml") + "# longer\n", limits).ok());
+    CHECK(findings(read_again(full, including("a.yaml, b.yaml") + "inputs: {}\n", limits)) == Findings{"E0108 b.yaml:2:9"});
 }

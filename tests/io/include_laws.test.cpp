@@ -112,6 +112,32 @@ TEST_CASE("what is wrong with a table is wrong with it in files, and told once, 
     }));
 }
 
+TEST_CASE("whatever bytes stand in the files of a table, reading ends, and every finding stands in one of them") {
+    CHECK(rc::check([](std::uint64_t seed) {
+        CounterRng rng(seed);
+        SplitTable split = Dealer(rng).deal(some_entries(rng));
+        const auto spoil = [&](std::string& text) {
+            const std::string_view bits[] = {"include: [p1.yaml]\n", "../", "{", "]", "\n", "  ", "\xff", "#", ": ", "- ", "*a", "&a ", "\t", std::string_view("\0", 1), "scene:\n"};
+            for (auto times = 1 + rng.next_u64() % 4; times > 0; --times) {
+                const std::size_t at = rng.next_u64() % (text.size() + 1);
+                if (rng.uniform() < 0.5) text.insert(at, bits[rng.next_u64() % std::size(bits)]);
+                else text.erase(at, 1 + rng.next_u64() % 8);
+            }
+        };
+        for (auto& [path, text] : split.files)
+            if (rng.uniform() < 0.5) spoil(text);
+        if (rng.uniform() < 0.3) spoil(split.main);
+        const Reading reading = read_with(split.main, split.files);
+        for (const Diagnostic& found : reading.diagnostics) {
+            RC_ASSERT(reading.scene.sources.find(found.where));
+            for (const Via& step : way_to(found, reading.scene.sources)) RC_ASSERT(reading.scene.sources.find(step.where));
+        }
+        const Reading again = read_again(reading, split.main);
+        RC_ASSERT(test::told(again) == test::told(reading));
+        if (reading.ok()) RC_ASSERT(same_content(read_with(write_table(reading.scene), split.files).scene, reading.scene));
+    }));
+}
+
 TEST_CASE("edits of a table in files change its own text alone, or are refused with the place") {
     int made = 0;
     CHECK(rc::check([&](std::uint64_t seed) {

@@ -82,7 +82,7 @@ private:
         for (std::size_t i = 0; i < order_.size(); ++i) {
             std::string lines;
             for (std::size_t entry = cuts[i]; entry < cuts[i + 1]; ++entry) lines.append("  ").append(entries[entry]).append("\n");
-            if (!lines.empty()) out[order_[i]].push_back(section + ":\n" + lines);
+            if (!lines.empty()) out[order_[i]].push_back(fmt::format("{}:\n{}", section, lines));
         }
     }
 
