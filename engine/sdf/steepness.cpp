@@ -186,8 +186,10 @@ TextFault fault_at(const Steps& formula, const Box2& box, Trouble trouble, std::
     if (trouble == Trouble::none) {
         if (operation == Operation::divide || operation == Operation::modulo || operation == Operation::tangent)
             return because(fmt::format("divides by what may be 0"), "max(..., 1mm) keeps a divisor above 0");
-        if (operation == Operation::root || operation == Operation::logarithm || operation == Operation::power)
+        if (operation == Operation::root || operation == Operation::logarithm)
             return because("may be of a number below 0", "abs(...) or max(0, ...) keeps it above");
+        if (operation == Operation::power)
+            return because("may be of a number below 0, or too large,", "abs(...) or max(0, ...) keeps what is raised above 0");
         return because("may have no value", "");
     }
     if (operation == Operation::choose) return because("may jump where one branch gives way to the other", "let them be the same there, or use min, max, abs or clamp");
