@@ -172,8 +172,10 @@ TEST_CASE("what calls params and templates is duplicated, copied and pasted as i
     CHECK(scene.find("small_2.wheel")->get<double>("radius") == 0.02);
     run(state, "edit.undo");
     CHECK(text_of(state) == table);
+    state.selection = Selection({id_of(state.document, "dot")});
     run(state, "edit.copy");
     run(state, "edit.paste_in_place");
+    REQUIRE(state.document.scene().find("dot_2"));
     CHECK(state.document.scene().find("dot_2")->get<double>("radius") == 0.017);
     run(state, "edit.undo");
     CHECK(text_of(state) == table);

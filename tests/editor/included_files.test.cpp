@@ -131,7 +131,9 @@ TEST_CASE("what is included is copied as its file has it, and pasted behind all 
     const Result<std::string> text = copied_text(document, chosen);
     REQUIRE(text);
     CHECK(*text == "- circle: {id: disc, radius: gap}\n");
-    CHECK(duplicate_nodes(document, chosen, Vec2(0, 0)).refusal);
+    CHECK_FALSE(duplicate_nodes(document, chosen, Vec2(0, 0)).refusal);  // the copy is the table's own, and calls the same param
+    CHECK_THAT(document.source().text(), Catch::Contains("- circle: {id: disc_2, radius: gap}"));
+    document.undo();
     const Outcome pasted = paste_text(document, "- circle: {id: other, radius: 1cm}\n", spot_after(document.scene(), chosen), {});
     CHECK_FALSE(pasted.refusal);
     CHECK(document.scene().roots()[1] == document.scene().find("other")->id);
