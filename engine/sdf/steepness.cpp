@@ -208,7 +208,7 @@ double farthest_below(const Steps& formula, const Box2& window, double level, co
         if (seen.is_none || seen.d.v.lo <= level) open.push(box);
     };
     offer(window);
-    const int most = most_looks(formula) / 8;
+    const int most = most_looks(formula) / 2;
     for (int looks = 0; !open.empty(); looks += 4) {
         const Box2 box = open.top();
         if (looks > most || box.size().maxCoeff() <= tolerance) return key(box);

@@ -128,13 +128,16 @@ void path(const sdf::Path<double>& shape, int points_of_piece, Points& out) {
     if (from != to) add_part(points_of_piece, [&](double t) { return Vec2(from + t * (to - from)); }, out);
 }
 
-/// Of the default, where its window does not cut it.
+/// Of the default, a bank of waves within its window, where that does not cut their crests and troughs, nor hold too many.
 void formula(const sdf::Formula<double>& shape, int points, Points& out) {
-    if (std::min(shape.window.x, shape.window.y) < 0.064) return;
-    add_part(8 * points, [&](double t) {
-        const SineCosine way = sine_cosine(two_pi * t);
-        return Vec2((0.03 - 0.002 * sine(8 * two_pi * t)) * Vec2(way.cosine, way.sine));
-    }, out);
+    const double x = 0.5 * shape.window.x, y = 0.5 * shape.window.y;
+    if (y <= 0.009 || x > 0.2) return;
+    const auto wave = [&](double at) { return Vec2(at, 0.008 * cosine_degrees(9e3 * at)); };
+    const auto edge = [&](const Vec2& from, const Vec2& to) { add_part(points, [&](double t) { return Vec2(from + t * (to - from)); }, out); };
+    edge({-x, -y}, {x, -y});
+    edge({x, -y}, wave(x));
+    add_part(points * (1 + static_cast<int>(x / 0.02)), [&](double t) { return wave(x - 2 * t * x); }, out);
+    edge(wave(-x), {-x, -y});
 }
 
 template <template <class> class N, void (*add_points)(const N<double>& shape, int points, Points& out)>

@@ -20,8 +20,8 @@ namespace pinfield::sdf {
 /// which changes no faster.
 template <class Real>
 struct Formula {
-    Steps formula{.text = "length(x, y) - 30mm + 2mm * sin(8 * atan2(y, x))"};
-    Point<Real> window{Real(0.08), Real(0.08)};
+    Steps formula{.text = "y - 8mm * cos(x / 1mm * 9deg)"};
+    Point<Real> window{Real(0.08), Real(0.05)};
 
     double scale = 0, level = 0;                                  // what is refused is nowhere solid
     double left = infinity, down = infinity, right = -infinity, up = -infinity;  ///< around the solid
