@@ -219,7 +219,7 @@ NamedValue read_argument(ReadContext& context, const YamlNode& node, const Named
     return number ? NamedValue{.value = number->value, .measure = number->measure} : broken;
 }
 
-/// The template's arguments as this use gives them, else as the template has them.
+/// The template's arguments as this use gives them, else as the template has them, of those before them.
 void read_arguments(ReadContext& context, const TemplateText& text, std::string_view name, const NodeItem& item, Names& out) {
     const YamlNode* with = item.body.find("with");
     if (with && with->kind != YamlKind::map) {
@@ -234,7 +234,7 @@ void read_arguments(ReadContext& context, const TemplateText& text, std::string_
         NamedValue value{.kind = NamedValue::Kind::broken};
         if (!initial.is_empty()) {
             const InText there(context, text.text);
-            const Names* const outside = std::exchange(context.names, &context.table_names);
+            const Names* const outside = std::exchange(context.names, &out);
             value = read_argument(context, initial, nullptr);
             context.names = outside;
         } else if (!given) {

@@ -14,6 +14,7 @@
 #include "engine/io/yaml_items.h"
 #include "engine/program/compile.h"
 #include "tests/editor/support.h"
+#include "tests/io/random_reuse.h"
 #include "tests/io/random_table.h"
 #include "tests/io/support.h"
 #include "tests/program/same_program.h"
@@ -200,12 +201,13 @@ struct Work {
     Document document;
     Session session;
     std::vector<std::string> texts;
-    int done = 0, refused = 0;
+    int done = 0, refused = 0, at_homes = 0;
 
     explicit Work(const std::string& text) : document(Document::untitled(editor::test::catalog(), text)), session(document), texts{text} {}
 
     void one_edit(CounterRng& rng);
     void many_edits(CounterRng& rng);
+    void one_home_edit(CounterRng& rng);
     void judge(const Scene& expected);
 };
 
@@ -276,14 +278,60 @@ void Work::many_edits(CounterRng& rng) {
         judge(expected);
 }
 
+/// Values that stand elsewhere: every node keeps what does not come from there.
+void require_confined(const Reading& before, const Reading& after, const SetField& edit, const ValueHome& home) {
+    for (const NodeId id : before.scene.all()) {
+        const Node &was = *before.scene.find(id), &is = *after.scene.find(id);
+        for (std::size_t i = 0; i < was.fields.size(); ++i) {
+            const bool is_name = was.type->fields[i].meta.meaning == Meaning::id, is_it = id == edit.node && static_cast<int>(i) == edit.field;
+            const bool may = is_it || is_name || was.fields[i].written || (home.kind != ValueHome::Kind::own && was.origin);
+            require(may || identical(was.fields[i].value, is.fields[i].value),
+                    fmt::format("{} of {} changed {}", home.told, before.scene.path(edit.node), before.scene.path(id)));
+        }
+    }
+}
+
+void Work::one_home_edit(CounterRng& rng) {
+    const Reading before = document.reading();
+    const std::vector<NodeId> all = before.scene.all();
+    for (int attempt = 0; attempt < 30; ++attempt) {
+        const Node& node = *before.scene.find(all[rng.next_u64() % all.size()]);
+        const auto field = static_cast<int>(rng.next_u64() % node.fields.size());
+        const FieldType& type = at(node.type->fields, field);
+        const SetField edit{node.id, field, pinfield::test::another_value(type, at(node.fields, field).value, rng), true};
+        const std::vector<ValueHome> homes = homes_of(before, edit);
+        if (homes.empty()) continue;
+        const ValueHome& home = homes[rng.next_u64() % homes.size()];
+        if (document.edit_home(edit, home, "at home")) {
+            require(document.source().text() == texts.back(), "a refused edit changed the text");
+            continue;
+        }
+        document.forget_homes();
+        if (document.source().text() == texts.back()) return;
+        const auto told = [&](const std::string& what) {
+            return fmt::format("{} {} {}: {}\n--- before\n{}\n--- after\n{}", before.scene.path(node.id), type.key, home.told, what, texts.back(),
+                               document.source().text());
+        };
+        const auto comments = comments_of(before), later = comments_of(document.reading());
+        for (const auto& [comment, lines] : comments) require(later.contains(comment), told("lost " + comment));
+        require(comments.size() == later.size(), told("made up a comment"));
+        require_confined(before, document.reading(), edit, home);
+        judge(document.scene());
+        ++at_homes;
+        return;
+    }
+}
+
 /// So many edits of a table, then back to the beginning and forth again.
 Work edited(std::uint64_t seed, int edits) {
     CounterRng rng(seed);
-    Work work(pinfield::test::random_table(rng));
+    std::string table = pinfield::test::random_table(rng);
+    if (seed % 2) table = pinfield::test::with_reuse(std::move(table), rng);
+    Work work(table);
     std::string said;
     for (const Diagnostic& d : work.document.diagnostics()) said += format(d, work.document.diagnosed());
     require(work.document.reading().ok(), "a table that does not read:\n" + said + work.texts.front());
-    for (int i = 0; i < edits; ++i) i % 8 == 7 ? work.many_edits(rng) : work.one_edit(rng);
+    for (int i = 0; i < edits; ++i) i % 8 == 7 ? work.many_edits(rng) : i % 4 == 2 ? work.one_home_edit(rng) : work.one_edit(rng);
     for (std::size_t i = work.texts.size(); i-- > 0;) {
         require(work.document.source().text() == work.texts[i], "undo does not give back\n" + work.texts[i]);
         require(work.document.can_undo() == (i > 0), "more or fewer steps than edits");
@@ -299,25 +347,28 @@ Work edited(std::uint64_t seed, int edits) {
 }  // namespace
 
 TEST_CASE("edits of tables in many styles change only the lines they should, lose no comment, and are taken back byte for byte") {
-    int done = 0, refused = 0;
+    int done = 0, refused = 0, at_homes = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         INFO(seed);
         const Work work = edited(seed, 40);
         done += work.done;
         refused += work.refused;
+        at_homes += work.at_homes;
     }
     CHECK(done > 200);
+    CHECK(at_homes > 20);
     CHECK(refused < done / 10);
 }
 
 TEST_CASE("any edits of any table in any style change only the lines they should, lose no comment, and are taken back byte for byte",
           "[slow]") {
-    int done = 0, refused = 0;
+    int done = 0, refused = 0, at_homes = 0;
     CHECK(rc::check("40 random edits of a random table", [&](std::uint64_t seed) {
         const Work work = edited(seed, 40);
         done += work.done;
         refused += work.refused;
+        at_homes += work.at_homes;
     }));
-    WARN(done << " edits done, " << refused << " refused");
+    WARN(done << " edits done, " << at_homes << " of them elsewhere than at the node, " << refused << " refused");
     CHECK(refused < done / 10);
 }

@@ -226,3 +226,21 @@ TEST_CASE("a use is placed, renamed, moved and removed like any node, and nothin
     moved.insert(moved.find("  - use: {template: lamp, id: lane"), line);
     CHECK(edited(Move{node(reading, "big").id, {}, 0}) == moved);
 }
+
+TEST_CASE("an argument's default may be made of the arguments before it, as the use gives them, and of no later ones") {
+    const std::string text =
+        "pinfield: 1\nparams: {gap: 1cm}\nmaterials: {rubber: {}, gold: {}}\n"
+        "templates:\n  gear:\n    args: {r: 4cm, hub: r / 4 + gap, skin: gold, rim: $skin}\n"
+        "    nodes: [circle: {id: wheel, radius: r, material: $rim}, circle: {id: axle, radius: hub}]\n"
+        "scene:\n  - use: {template: gear, id: a}\n  - use: {template: gear, id: b, with: {r: 2cm, skin: rubber}}\n"
+        "  - use: {template: gear, id: c, with: {hub: 5mm, rim: gold}}\n";
+    const Reading reading = read(text);
+    INFO(told(reading));
+    REQUIRE(reading.ok());
+    CHECK(node(reading, "a.axle").get<double>("radius") == 0.02);
+    CHECK(node(reading, "b.axle").get<double>("radius") == 0.015);
+    CHECK(node(reading, "c.axle").get<double>("radius") == 0.005);
+    CHECK(node(reading, "b.wheel").get<std::string>("material") == "rubber");
+    CHECK(codes_and_places(read("pinfield: 1\ntemplates: {t: {args: {hub: r / 4, r: 4cm}, nodes: [circle: {radius: hub + r}]}}\nscene: [use: {template: t}]\n")) ==
+          std::vector<std::string>{"E0305 2:29"});
+}
