@@ -1,5 +1,6 @@
 // Scenarios: one thing each that an author does in the real window, with mouse and keys. A script in scenarios/<family>/<name>.yaml works
-// on scenarios/workshop.yaml and saves; what the file is then differs from what it was by just the lines of <name>.diff. No .diff: by none.
+// on the family's table.yaml, else on scenarios/workshop.yaml, and saves; what the file is then differs from what it was by just the lines
+// of <name>.diff. No .diff: by none.
 // PINFIELD_SCENARIOS=<folder> keeps the pictures and the differences found there, to be looked at.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -16,15 +17,20 @@ fs::path scenarios() { return fs::path(source_dir()) / "tests/gui/scenarios"; }
 std::vector<fs::path> scripts_of(const std::string& family) {
     std::vector<fs::path> scripts;
     for (const auto& entry : fs::directory_iterator(scenarios() / family))
-        if (entry.path().extension() == ".yaml") scripts.push_back(entry.path());
+        if (entry.path().extension() == ".yaml" && entry.path().filename() != "table.yaml") scripts.push_back(entry.path());
     std::sort(scripts.begin(), scripts.end());
     return scripts;
 }
 
+fs::path table_of(const std::string& family) {
+    const fs::path own = scenarios() / family / "table.yaml";
+    return fs::exists(own) ? own : scenarios() / "workshop.yaml";
+}
+
 /// Lines that went ("-...") and came ("+...").
-std::string difference(const Workplace& place) {
+std::string difference(const Workplace& place, const fs::path& table) {
     run_command(place, "diff --unchanged-line-format= --old-line-format='-%L' --new-line-format='+%L' '" +
-                           (scenarios() / "workshop.yaml").string() + "' table.yaml > found.diff; true");
+                           table.string() + "' table.yaml > found.diff; true");
     return read(place.in("found.diff"));
 }
 
@@ -51,9 +57,9 @@ void play(const std::string& family) {
     const std::vector<fs::path> scripts = scripts_of(family);
     REQUIRE(scripts.size() >= 3);
     for (const fs::path& script : scripts) {
-        const Workplace place(scenarios() / "workshop.yaml");
+        const Workplace place(table_of(family));
         const Outcome outcome = run_script(place, whole_script(script));
-        const std::string found = difference(place);
+        const std::string found = difference(place, table_of(family));
         keep(place, family, script.stem().string());
         INFO(family << "/" << script.stem().string() << "\n" << outcome.said);
         CHECK(outcome.code == 0);
@@ -70,6 +76,7 @@ TEST_CASE("scenarios: nodes are added, wrapped, unwrapped, copied and put elsewh
 TEST_CASE("scenarios: nodes are cut, copied and pasted as text") { play("clipboard"); }
 TEST_CASE("scenarios: values are typed, chosen and taken back in the inspector") { play("inspector"); }
 TEST_CASE("scenarios: rows of the tree are renamed, found and dragged") { play("tree"); }
+TEST_CASE("scenarios: what is said once is changed where it comes from") { play("reuse"); }
 TEST_CASE("scenarios: the text itself is edited") { play("source"); }
 TEST_CASE("scenarios: a picture is laid under the table and brought to size") { play("underlay"); }
 TEST_CASE("scenarios: steps are undone, redone and gone to, and commands found") { play("history"); }
