@@ -12,7 +12,7 @@ constexpr float cell_width = 68, picture_height = 46, cell_height = 68;  // desi
 constexpr std::size_t most_recent = 6;
 
 const Picture& picture_for(const AppState& state, Ui& ui, const NodeType& type) {
-    const auto [found, is_new] = ui.palette.pictures.try_emplace(type.key());
+    const auto [found, is_new] = ui.palette.pictures.try_emplace(std::string(type.key()));
     if (is_new) found->second = picture_of(state.catalog, type);
     return found->second;
 }

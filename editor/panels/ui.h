@@ -69,9 +69,9 @@ struct Handles {
 /// What can be added, as pictures.
 struct Palette {
     std::string search{};
-    std::map<std::string_view, Picture> pictures{};  ///< by node type, and of the tables to begin with by their action
-    std::vector<const NodeType*> recent{};           ///< the last one first
-    const NodeType* carried = nullptr;               ///< being dragged onto the table
+    std::map<std::string, Picture> pictures{};  ///< by node type, and of the tables to begin with by their action
+    std::vector<const NodeType*> recent{};      ///< the last one first
+    const NodeType* carried = nullptr;          ///< being dragged onto the table
 };
 
 /// What dragged nodes may stop at, and the box they had when the drag began.

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "editor/keep_work.h"
+#include "editor/starters.h"
 #include "tests/editor/screen.h"
 #include "tests/editor/support.h"
 
@@ -18,6 +19,7 @@ public:
 
     void frame() {
         frame_of([&] {
+            starter_dialog(state_, ui_);
             path_dialog(state_, ui_);
             prompt_dialog(state_, ui_);
             recovery_dialog(state_, ui_);
@@ -131,4 +133,18 @@ TEST_CASE("unsaved changes are saved by Enter, kept by Esc, and discarded by Tab
         CHECK(folder.read("table.yaml") == pen);
     }
     CHECK_FALSE(state.prompt);
+}
+
+TEST_CASE("the tables to begin with keep a picture each, under the name that chooses them") {
+    AppState state = untitled_state();
+    run(state, "file.new");
+    Desk desk(state);
+    for (int i = 0; i < 3; ++i) desk.frame();
+    const auto& pictures = desk.ui().palette.pictures;
+    CHECK(pictures.size() == starters().size());
+    for (const Starter& starter : starters()) {
+        const auto found = pictures.find(action_of(starter));
+        REQUIRE(found != pictures.end());
+        CHECK_FALSE(found->second.lines.empty());
+    }
 }
