@@ -10,6 +10,7 @@ namespace {
 constexpr std::string_view classic = R"(# A new table: metres, degrees, y up, origin at the bottom left.
 pinfield: 1
 table: {name: New table, size: [0.52, 1.06], slope: 6.5}
+physics: {ball_inertia: sphere, ball_rolls: true, rolling_resistance: 0.002}   # a steel ball on lacquer, as in machines
 
 materials:
   wall:   {restitution: 0.3, friction: 0.2, color: "#31435e"}
@@ -52,6 +53,7 @@ tests:
 constexpr std::string_view blank = R"(# An empty table: metres, degrees, y up, origin at the bottom left.
 pinfield: 1
 table: {name: New table, size: [0.52, 1.06], slope: 6.5}
+physics: {ball_inertia: sphere, ball_rolls: true, rolling_resistance: 0.002}   # a steel ball on lacquer, as in machines
 
 scene:
   # Where balls may be; everything outside is solid.
@@ -63,6 +65,7 @@ inputs: {left: [Z, LeftShift], right: [Slash, RightShift], plunge: [Space]}
 constexpr std::string_view fan = R"(# Shots that fan out from the flippers: metres, degrees, y up, origin at the bottom left.
 pinfield: 1
 table: {name: New table, size: [0.52, 1.06], slope: 6.5}
+physics: {ball_inertia: sphere, ball_rolls: true, rolling_resistance: 0.002}   # a steel ball on lacquer, as in machines
 
 materials:
   wall:   {restitution: 0.3, friction: 0.2, color: "#31435e"}
