@@ -146,7 +146,8 @@ void App::draw(int ticks, double seconds) {
     look_around(seconds);
     shown_messages_ = state_.said;
     for (const WindowEvent& event : window_->take_events()) bridge_.queue(event);
-    for (const WindowEvent& event : bridge_.begin_frame(seconds + std::exchange(rested_seconds_, 0))) {
+    in_menu_ = menu_is_open(state_);
+    for (const WindowEvent& event : bridge_.begin_frame(seconds + std::exchange(rested_seconds_, 0), in_menu_)) {
         if (event.kind == WindowEvent::Kind::cursor) ui_.mouse = event.place;
         else if (event.kind == WindowEvent::Kind::key) take_key(event);
         else if (event.kind == WindowEvent::Kind::close) editor::run(state_, "app.quit");
@@ -233,7 +234,7 @@ int App::due_ticks(double passed) {
 }
 
 void App::take_key(const WindowEvent& event) {
-    keyboard_.take(state_, {key_name(event.code), event.down, event.repeat}, is_typing(state_, ui_), [this] { return cancel_drags(); });
+    keyboard_.take(state_, {key_name(event.code), event.down, event.repeat}, in_menu_ || is_typing(state_, ui_), [this] { return cancel_drags(); });
 }
 
 bool App::cancel_drags() {

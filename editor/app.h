@@ -73,6 +73,7 @@ private:
     void paint_outline(NodeId node, std::span<const MoverPlace> places, const OutlineStyle& style, const Canvas& canvas);
 
     AppState state_;
+    bool in_menu_ = false;  ///< when the frame began
     AppOptions options_;
     std::unique_ptr<Window> window_;
     ImGuiBridge bridge_;

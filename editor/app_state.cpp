@@ -215,6 +215,8 @@ constexpr Handler handlers[] = {
     {"edit.redo", [](const AppState& s) { return s.document.can_redo() && !s.document.previewing(); }, redo},
     {"edit.deselect", always, deselect},
     {"select.find", always, [](AppState& s) { s.find_node = s.show_panels = true; }},
+    {"edit.type", has_selection, [](AppState& s) { s.type_value = s.show_panels = true; }},
+    {"view.menus", always, [](AppState& s) { s.open_menus = s.show_panels = true; }},
     {"edit.source", always, [](AppState& s) { s.preferences.show_source = s.type_source = true; }},
     {"edit.lists", always, [](AppState& s) { s.show_lists = true; }},
     {"lists.close", [](const AppState& s) { return s.show_lists; }, [](AppState& s) { s.show_lists = false; }},

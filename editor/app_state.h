@@ -87,6 +87,8 @@ struct AppState {
     std::string replaces{};     ///< another file that was asked about: naming it once more replaces it
     NodeId renaming{};          ///< its new id is to be typed in the tree
     bool find_node = false;     ///< the tree's filter is to take the keyboard
+    bool type_value = false;    ///< the first value in the inspector is to be typed
+    bool open_menus = false;    ///< the first menu is to open, for the keyboard
     std::optional<Prompt> after_dialog;  ///< goes on once "file.save_as" has saved
     DiskState disk = DiskState::same;    ///< as look_at_disk() found it last
     std::optional<MergeQuestion> merge{};  ///< until merge.accept, merge.mine, merge.theirs or merge.later

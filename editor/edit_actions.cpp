@@ -132,6 +132,10 @@ void select_same_material(AppState& state) {
     select_where(state, [material = chosen->value("material")](const Node& node) { return identical(node.value("material"), material); });
 }
 
+const Node* chosen(const AppState& s) { return has_selection(s) ? s.document.scene().find(s.selection.primary()) : nullptr; }
+bool has_parent(const AppState& s) { return chosen(s) && chosen(s)->parent; }
+bool has_children(const AppState& s) { return chosen(s) && !chosen(s)->children.empty(); }
+
 bool can_paste(const AppState& s) { return !s.document.previewing() && (!s.clipboard.empty() || s.ask_clipboard); }
 
 }  // namespace
@@ -147,7 +151,7 @@ std::span<const Handler> edit_handlers() {
         {"edit.select_all", always, select_all},
         {"edit.add_material", [](const AppState& s) { return !s.document.previewing(); }, [](AppState& s) { take(s, new_material(s.document)); }},
         {"edit.group", has_selection, group},
-        {"edit.unwrap", has_selection, unwrap},
+        {"edit.unwrap", has_children, unwrap},
         {"edit.rename", has_selection, [](AppState& s) { s.renaming = s.selection.primary(); }},
         {"edit.move_up", has_selection, [](AppState& s) { shift_selection(s, -1); }},
         {"edit.move_down", has_selection, [](AppState& s) { shift_selection(s, 1); }},
@@ -159,8 +163,8 @@ std::span<const Handler> edit_handlers() {
         {"edit.nudge_far_right", has_selection, [](AppState& s) { nudge(s, {10, 0}); }},
         {"edit.nudge_far_up", has_selection, [](AppState& s) { nudge(s, {0, 10}); }},
         {"edit.nudge_far_down", has_selection, [](AppState& s) { nudge(s, {0, -10}); }},
-        {"select.parent", has_selection, select_parent},
-        {"select.child", has_selection, select_child},
+        {"select.parent", has_parent, select_parent},
+        {"select.child", has_children, select_child},
         {"select.previous", has_selection, [](AppState& s) { select_sibling(s, -1); }},
         {"select.next", has_selection, [](AppState& s) { select_sibling(s, 1); }},
         {"select.same_type", has_selection, select_same_type},

@@ -1,6 +1,7 @@
 #include "editor/view.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pinfield::editor {
 namespace {
@@ -25,6 +26,16 @@ void View::frame_table(const Box2& table) {
     farthest = 0;
     frame(table);
     farthest = farthest_share * pixels_per_metre;
+}
+
+void View::resize(const Vec2& to, const Box2& table) {
+    View framed = *this;
+    framed.frame_table(table);
+    const bool whole = length(framed.centre - centre) < 1e-9 && std::fabs(framed.pixels_per_metre / pixels_per_metre - 1) < 1e-9;
+    const double taller = size.y() > 0 ? to.y() / size.y() : 1;
+    size = to;
+    if (whole) frame_table(table);
+    else pixels_per_metre *= std::min(taller, 1e3);
 }
 
 void View::zoom_at(const Vec2& pixel, double factor) {

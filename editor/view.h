@@ -30,6 +30,8 @@ struct View {
     void frame(const Box2& world);
     /// Likewise the table, which from now on is never shown smaller than a tenth of that.
     void frame_table(const Box2& table);
+    /// The viewport has another size: a table that was shown whole is so still, else as much of the height is seen as before.
+    void resize(const Vec2& to, const Box2& table);
     /// Zooms by a factor and keeps the world point under this pixel where it is.
     void zoom_at(const Vec2& pixel, double factor);
 };

@@ -38,6 +38,8 @@ inline constexpr const char* mixed_word = "mixed";
 /// The value, or one number of it (`component`), is typed from now on; and the text field that then stands in for its control.
 void begin_typing(const Row& row, int component);
 void typing_field(const Row& row, float width);
+/// Tab comes by here; where it has come to it, the value is typed from now on.
+void tab_stop(const Row& row, int component);
 
 /// A number that is dragged sideways, or typed after a double click.
 void number_control(const Row& row, int component, float width, const char* name = "");

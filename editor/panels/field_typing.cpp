@@ -27,10 +27,17 @@ void finish_typing(const Row& row) {
 
 void begin_typing(const Row& row, int component) {
     Typing& typing = row.ui.typing;
-    typing = {row.node.id, row.index(), component, {}, true};
+    typing = {row.node.id, row.index(), component, {}, {}, true};
     if (row.mixed(component)) return;
     if (component < 0) typing.text = text_of(row.state.document, row.node.id, row.index());
     else typing.text = shown(editor::component(row.value(), component), row.field().meta.unit).number;
+    typing.before = typing.text;
+}
+
+void tab_stop(const Row& row, int component) {
+    const TabStop here{row.node.id, row.index(), component};
+    row.ui.tab_stops.push_back(here);
+    if (row.ui.types_at == here) begin_typing(row, component);
 }
 
 void typing_field(const Row& row, float width) {
@@ -42,7 +49,14 @@ void typing_field(const Row& row, float width) {
     const bool entered =
         ImGui::InputText("##type", buffer, sizeof buffer, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     typing.text = buffer;
-    if (entered) finish_typing(row);
+    if (typing.begins && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.5f);
+    const bool tab = !typing.begins && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Tab), false);
+    if (tab) {
+        row.ui.tabbed_from = TabStop{typing.node, typing.field, typing.component};
+        row.ui.tabs_back = ImGui::GetIO().KeyShift;
+    }
+    if (entered || (tab && typing.text != typing.before)) finish_typing(row);
+    else if (tab) typing = {};
     else if (!typing.begins && ImGui::IsItemDeactivated()) {
         // Escape drops what was typed, clicking elsewhere takes it.
         if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) typing = {};

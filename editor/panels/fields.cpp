@@ -57,6 +57,9 @@ void color_control(const Row& row) {
 }
 
 void control(const Row& row) {
+    const FieldKind kind = row.field().kind;
+    const bool in_numbers = kind == FieldKind::integer || kind == FieldKind::number || kind == FieldKind::vec2 || kind == FieldKind::points;
+    if (!in_numbers || row.ui.typing.is(row.node.id, row.index(), -1)) tab_stop(row, -1);
     if (row.ui.typing.is(row.node.id, row.index(), -1)) return typing_field(row, row.width);
     switch (row.field().kind) {
         case FieldKind::boolean: return boolean_control(row);

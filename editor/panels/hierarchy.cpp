@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "editor/panels/ui.h"
+#include "editor/pick.h"
+#include "editor/shared_fields.h"
 #include "editor/widgets/widgets.h"
 #include "engine/core/at.h"
 #include "engine/core/color.h"
@@ -22,6 +24,8 @@ bool contains_word(std::string_view text, std::string_view word) {
 bool is_found(const Node& node, std::string_view filter) {
     return contains_word(title_of(node), filter) || contains_word(node.type->key(), filter);
 }
+
+constexpr float flag_width = 18;  // design pixels
 
 /// Draws the tree row by row and notes what was clicked.
 class Tree {
@@ -55,6 +59,7 @@ public:
         if (reveal_) ui_.revealed = state_.selection.primary();
         if (!rename_drawn_) ui_.renaming = {};  // no row, no typing
         if (renamed_.first) take(state_, rename_node(state_.document, renamed_.first, renamed_.second));
+        if (switched_.first) switch_flag();
         if (adds_material_) run(state_, "edit.add_material");
         if (dropped_) take(state_, move_nodes(state_.document, dropped_nodes_, *dropped_, !ImGui::GetIO().KeyCtrl));
         if (!clicked_) return;
@@ -137,8 +142,10 @@ private:
         }
         const bool pressed = ImGui::InvisibleButton("row", {width, height});
         const bool hot = ImGui::IsItemHovered(), selected = state_.selection.contains(node.id);
+        const std::string_view flag_hit = hot ? flag_under_mouse(node, place.x + width, height) : std::string_view();
         if (pressed) {
-            if (parent && ImGui::GetIO().MousePos.x < place.x + indent + arrow_width) *open = !*open;
+            if (!flag_hit.empty()) switched_ = {node.id, flag_hit};
+            else if (parent && ImGui::GetIO().MousePos.x < place.x + indent + arrow_width) *open = !*open;
             else clicked_ = node.id;
         }
         if (hot && parent && ImGui::IsMouseDoubleClicked(0) && ImGui::GetIO().MousePos.x > place.x + indent + arrow_width) *open = !*open;
@@ -149,6 +156,28 @@ private:
         paint(node, place, {width, height}, indent, arrow_width, selected, hot, parent, *open);
         ImGui::PopID();
         return *open;
+    }
+
+    /// At the right end of a row that the mouse is on: an eye and a lock; the field of the one that it is over.
+    std::string_view flag_under_mouse(const Node& node, float right, float height) const {
+        const float from_right = (right - ui_.theme.px(5) - ImGui::GetIO().MousePos.x) / ui_.theme.px(flag_width);
+        if (node.is_record() || from_right < 0 || from_right >= 2 || height <= 0) return {};
+        const bool lock = from_right < 1, locked = flag(node, "locked", false), seen = flag(node, "visible", true);
+        tooltip(ui_.theme, lock ? locked ? "Unlock: the mouse takes hold of it on the table" : "Lock: the mouse goes through it on the table"
+                                : seen ? "Hide: balls still meet it" : "Show");
+        return lock ? "locked" : "visible";
+    }
+
+    /// Of all that is selected, where the row is one of it. A value as at first needs no words in the file.
+    void switch_flag() {
+        const auto [node, key] = switched_;
+        const bool on = !flag(*scene_.find(node), key, key == "visible");
+        SharedField fields;
+        for (const NodeId id : state_.selection.contains(node) ? state_.selection.nodes() : std::vector{node})
+            if (const auto field = scene_.find(id)->type->find_field(key)) fields.push_back({id, *field});
+        const std::string label = change_label(scene_, fields);
+        const auto why = set_all(state_.document, fields, on, on != (key == "visible"));
+        say(state_, why.value_or(label), why.has_value());
     }
 
     /// A row is dragged to before, behind or into another; a line or a frame shows where.
@@ -221,26 +250,34 @@ private:
         x += theme.px(15);
 
         float right = end.x - theme.px(8);
-        const auto mark = [&](bool shown, Icon icon) {
-            if (!shown) return;
-            draw_icon(list, icon, {right - theme.px(6), middle}, theme.px(12), ink(palette::quiet));
-            right -= theme.px(18);
+        const bool offers = hot && !node.is_record();  // what is as usual is shown where a click changes it
+        const auto mark = [&](bool unusual, Icon icon, Icon usual) {
+            if (!unusual && !offers) return;
+            draw_icon(list, unusual ? icon : usual, {right - theme.px(6), middle}, theme.px(12), ink(unusual ? palette::text : palette::quiet));
+            right -= theme.px(flag_width);
         };
-        mark(locked, Icon::locked);
-        mark(!seen, Icon::hidden);
+        mark(locked, Icon::locked, Icon::unlocked);
+        mark(!seen, Icon::hidden, Icon::seen);
 
         const Tint name_color = seen ? palette::text : palette::faint;
         const float text_y = middle - 0.5f * ImGui::GetFontSize();
         const std::string title = fitted(title_of(node), right - x);
         list.AddText({x, text_y}, ink(node.name.empty() && !selected ? palette::quiet : name_color), title.c_str());
         const float after = x + ImGui::CalcTextSize(title.c_str()).x + theme.px(10);
-        if (node.name.empty() || node.is_record()) return;
-        const std::string type(node.type->key());
-        const float type_size = theme.small->FontSize;
-        const float type_width = theme.small->CalcTextSizeA(type_size, 1e9f, 0, type.c_str()).x;
-        if (right - type_width > after)
-            list.AddText(theme.small, type_size, {right - type_width, middle - 0.5f * type_size},
-                         ink(selected ? palette::quiet : palette::faint), type.c_str());
+        if (node.is_record()) return;
+        const auto beside = [&](const std::string& words) {
+            const float size_of_text = theme.small->FontSize, words_width = theme.small->CalcTextSizeA(size_of_text, 1e9f, 0, words.c_str()).x;
+            if (words.empty() || right - words_width <= after) return false;
+            list.AddText(theme.small, size_of_text, {right - words_width, middle - 0.5f * size_of_text},
+                         ink(selected ? palette::quiet : palette::faint), words.c_str());
+            return true;
+        };
+        if (!node.name.empty()) return static_cast<void>(beside(std::string(node.type->key())));
+        // Without an id one box is told from the next by how large it is, and where.
+        if (!ImGui::IsRectVisible(place, end)) return;
+        const Box2 box = bounds_of(state_, node.id);
+        const std::string size_words = size_in_words(box);
+        if (!beside(size_words + " " + place_in_words(box))) beside(size_words);
     }
 
     static bool flag(const Node& node, std::string_view key, bool otherwise) {
@@ -262,6 +299,7 @@ private:
     std::vector<NodeId> above_selection_;
     NodeId clicked_;
     std::pair<NodeId, std::string> renamed_;
+    std::pair<NodeId, std::string_view> switched_;
     std::vector<NodeId> dropped_nodes_;
     std::optional<Spot> dropped_;
     bool reveal_ = false, rename_drawn_ = false, adds_material_ = false;

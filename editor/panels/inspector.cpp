@@ -201,6 +201,20 @@ void properties(AppState& state, Ui& ui, const Node& node, std::span<const NodeI
     }
 }
 
+/// Tab has been pressed: what it comes to is typed from the next frame on.
+void go_on_typing(AppState& state, Ui& ui) {
+    ui.types_at.reset();
+    const auto from = std::exchange(ui.tabbed_from, std::nullopt);
+    const std::vector<TabStop> stops = std::exchange(ui.tab_stops, {});
+    const bool first = std::exchange(state.type_value, false);
+    if (stops.empty() || asks(state)) return;
+    if (first) ui.types_at = stops.front();
+    const auto there = from ? std::find(stops.begin(), stops.end(), *from) : stops.end();
+    if (there == stops.end()) return;
+    const std::size_t count = stops.size(), index = static_cast<std::size_t>(there - stops.begin());
+    ui.types_at = stops[(index + (ui.tabs_back ? count - 1 : 1)) % count];
+}
+
 }  // namespace
 
 void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
@@ -220,6 +234,7 @@ void inspector_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
         ImGui::PopID();
     }
     param_rows(state, ui);
+    go_on_typing(state, ui);
     ImGui::EndChild();
     ImGui::End();
 }

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/numbers.h"
 
 namespace pinfield::editor {
 
@@ -28,6 +31,18 @@ Tint color_of(const NodeType& type) {
 
 std::string title_of(const Node& node) { return node.name.empty() ? std::string(node.type->key()) : node.name; }
 
+std::string size_in_words(const Box2& box) {
+    if (box.is_empty() || !box.is_finite()) return {};
+    const auto tenths = [](double metres) { return to_text(std::round(10'000 * metres) / 10 + 0.0); };
+    return fmt::format("{} \u00d7 {} mm", tenths(box.size().x()), tenths(box.size().y()));
+}
+
+std::string place_in_words(const Box2& box) {
+    if (box.is_empty() || !box.is_finite()) return {};
+    const Vec2 at = 1000 * box.centre();
+    return fmt::format("at {}, {}", to_text(at.x(), 0), to_text(at.y(), 0));
+}
+
 Problems problems_of(const AppState& state) {
     Problems problems{state.source.problems(), state.document.diagnostics(), {}};
     // The compiler would only repeat what the reader has said.
@@ -37,7 +52,8 @@ Problems problems_of(const AppState& state) {
 
 namespace {
 
-constexpr float least_tree = 160;  // design pixels
+constexpr float least_tree = 160;   // design pixels
+constexpr float least_upper = 240;  // likewise: some rows of what stands above another panel
 
 /// Widths in screen pixels; 0: not shown.
 struct Columns {
@@ -89,7 +105,8 @@ struct LowerPanel {
 
 void column(AppState& state, Ui& ui, ImVec2 position, ImVec2 size, float grip, Panel upper, const LowerPanel& lower) {
     const Theme& theme = ui.theme;
-    const float most = 0.6f * size.y / theme.scale, height = lower.shown ? theme.px(std::min(lower.design_height, most)) : 0;
+    const float whole = size.y / theme.scale, most = std::clamp(whole - least_upper, 0.35f * whole, 0.6f * whole);
+    const float height = lower.shown ? theme.px(std::min(lower.design_height, most)) : 0;
     const float rest = size.y - height - (height > 0 ? grip : 0);
     upper(state, ui, position, {size.x, rest});
     if (height <= 0) return;

@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <utility>
 
 #include "editor/panels/ui.h"
 #include "editor/widgets/widgets.h"
+#include "engine/core/at.h"
 
 namespace pinfield::editor {
 
 namespace {
+
+constexpr std::string_view add_word = "Add";
 
 std::vector<std::string_view> menus_in_order() {
     std::vector<std::string_view> menus;
@@ -48,6 +52,36 @@ void recent_menu(AppState& state, const Theme& theme) {
     ImGui::EndMenu();
 }
 
+void draw_menu(AppState& state, const Theme& theme, std::string_view menu) {
+    for (const Action& action : all_actions()) {
+        if (action.menu == menu) action_item(state, theme, action.name);
+        if (action.name == "file.open" && action.menu == menu) recent_menu(state, theme);
+    }
+    if (menu != add_word) return;
+    add_menu(state, theme);
+    ImGui::Separator();
+    wrap_menu(state, theme);
+}
+
+/// One after the other; by Left and Right, which Dear ImGui takes for a way out of the open one, to the next.
+void draw_menus(AppState& state, Ui& ui) {
+    std::vector<std::string_view> menus = menus_in_order();
+    menus.insert(std::find(menus.begin(), menus.end(), "Edit") + 1, add_word);
+    const int count = static_cast<int>(menus.size());
+    const auto open = [&](int i) { ImGui::OpenPopup(std::string(at(menus, (i + count) % count)).c_str()); };
+    if (std::exchange(state.open_menus, false)) open(0);
+    const int before = std::exchange(ui.open_menu, -1);
+    for (int i = 0; i < count; ++i) {
+        if (!ImGui::BeginMenu(std::string(at(menus, i)).c_str())) continue;
+        ui.open_menu = i;
+        draw_menu(state, ui.theme, at(menus, i));
+        ImGui::EndMenu();
+    }
+    const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)) ? 1 : 0; };
+    const int way = std::exchange(ui.menu_way, pressed(ImGuiKey_RightArrow) - pressed(ImGuiKey_LeftArrow));
+    if (ui.open_menu < 0 && before >= 0 && way != 0) open(before + way);
+}
+
 }  // namespace
 
 float menu_bar(AppState& state, Ui& ui) {
@@ -58,20 +92,7 @@ float menu_bar(AppState& state, Ui& ui) {
         height = ImGui::GetWindowSize().y;
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(theme.px(8), theme.px(8)));
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(theme.px(12), theme.px(7)));
-        for (const std::string_view menu : menus_in_order()) {
-            if (ImGui::BeginMenu(std::string(menu).c_str())) {
-                for (const Action& action : all_actions()) {
-                    if (action.menu == menu) action_item(state, theme, action.name);
-                    if (action.name == "file.open") recent_menu(state, theme);
-                }
-                ImGui::EndMenu();
-            }
-            if (menu != "Edit" || !ImGui::BeginMenu("Add")) continue;
-            add_menu(state, theme);
-            ImGui::Separator();
-            wrap_menu(state, theme);
-            ImGui::EndMenu();
-        }
+        draw_menus(state, ui);
         ImGui::PopStyleVar(2);
         document_title(state, theme);
         ImGui::EndMainMenuBar();

@@ -77,6 +77,7 @@ std::vector<Vec2> with_point_behind(std::vector<Vec2> points, std::size_t i) {
 
 void number_control(const Row& row, int component, float width, const char* name) {
     ImGui::PushID(component);
+    tab_stop(row, component);
     if (row.ui.typing.is(row.node.id, row.index(), component)) {
         typing_field(row, width);
     } else {

@@ -2,6 +2,7 @@
 
 #include "editor/panels/fields.h"
 #include "editor/panels/ui.h"
+#include "editor/pick.h"
 #include "editor/widgets/widgets.h"
 #include "engine/core/numbers.h"
 #include "engine/program/evaluate.h"
@@ -12,7 +13,15 @@ namespace {
 
 std::string millimetres(double metres, int decimals) { return to_text(1000 * metres, decimals); }
 
-/// Place, distance and node under the mouse, from the right edge leftwards.
+/// World box of all that is selected; empty of records.
+Box2 selected_box(const AppState& state) {
+    Box2 box;
+    for (const NodeId id : state.selection.nodes())
+        if (const Node* node = state.document.scene().find(id); node && !node->is_record()) box = box.merged(bounds_of(state, id));
+    return box;
+}
+
+/// Place, distance and node under the mouse, from the right edge leftwards; then what is selected and how large that is.
 float probe(const AppState& state, const Ui& ui, ImDrawList& list, float right, float y) {
     const Theme& theme = ui.theme;
     const auto put = [&](const std::string& text, const Tint& color, float least) {
@@ -21,7 +30,12 @@ float probe(const AppState& state, const Ui& ui, ImDrawList& list, float right, 
         steady_number(list, theme.body, {std::floor(right), y}, color, text);
         right -= theme.px(20);
     };
-    if (!ui.viewport_hovered) return right;
+    const auto put_selection = [&] {
+        const std::string size = size_in_words(selected_box(state));
+        if (!size.empty()) put("selected: " + size, palette::quiet, 0);
+        return right;
+    };
+    if (!ui.viewport_hovered) return put_selection();
     const Vec2& p = ui.mouse_world;
     put(millimetres(p.x(), 1) + ", " + millimetres(p.y(), 1) + " mm", palette::text, 124);
     const Gap gap = gap_at(state.session.world(), p);
@@ -29,7 +43,7 @@ float probe(const AppState& state, const Ui& ui, ImDrawList& list, float right, 
         put((gap.distance < 0 ? "inside " : "distance ") + millimetres(std::fabs(gap.distance), 2) + " mm", palette::quiet, 150);
         if (const Node* node = state.document.scene().find(gap.node)) put("nearest: " + title_of(*node), palette::quiet, 0);
     }
-    return right;
+    return put_selection();
 }
 
 }  // namespace

@@ -84,7 +84,10 @@ void begin_drag(AppState& state, Ui& ui) {
         const Outcome outcome = duplicate_nodes(state.document, nodes, {0, 0});
         ui.copies = take(state, outcome) && outcome.nodes.size() == held.size();
         for (std::size_t i = 0; ui.copies && i < held.size(); ++i) held[i].node = outcome.nodes[i];
-        if (!ui.copies) return;
+        if (!ui.copies) {
+            ui.pressing = false;  // what has no copy stays where it is
+            return;
+        }
     }
     ui.drag.begin(state.document, held, ui.pressed_at);
     std::vector<NodeId> nodes;

@@ -24,11 +24,14 @@ void play_buttons(AppState& state, const Theme& theme) {
     button(Icon::reset, "play.reset", false);
 }
 
+/// Not where only a part of it could be seen.
 void speed_menu(AppState& state, const Theme& theme) {
+    const float width = theme.px(72);
+    if (ImGui::GetItemRectMax().x + theme.px(12) + width > ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x) return;
     const auto name = [](int divisor) { return divisor == 1 ? std::string("1\u00d7") : "1/" + std::to_string(divisor); };
     ImGui::SameLine(0, theme.px(12));
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5f * (theme.px(34) - ImGui::GetFrameHeight()));
-    if (begin_combo(theme, "##speed", name(state.session.slow_motion()).c_str(), theme.px(72))) {
+    if (begin_combo(theme, "##speed", name(state.session.slow_motion()).c_str(), width)) {
         for (int divisor = 1; divisor <= slowest; divisor *= 2)
             if (ImGui::Selectable(name(divisor).c_str(), divisor == state.session.slow_motion())) state.session.set_slow_motion(divisor);
         ImGui::EndCombo();

@@ -30,8 +30,17 @@ struct Typing {
     int field = -1;
     int component = -1;  ///< -1: the whole value
     std::string text;
+    std::string before;  ///< that text at first: Tab takes only what differs
     bool begins = false;  ///< the text field must take the keyboard in the next frame
     bool is(NodeId n, int f, int c) const { return node == n && field == f && component == c; }
+};
+
+/// A value of the inspector, or one number of it, that Tab comes by.
+struct TabStop {
+    NodeId node;
+    int field = -1;
+    int component = -1;  ///< -1: the whole value
+    bool operator==(const TabStop&) const = default;
 };
 
 /// A node's id being typed in the tree.
@@ -181,6 +190,12 @@ struct Ui {
 
     Scrub scrub;
     Typing typing;
+    std::vector<TabStop> tab_stops;     ///< as they were drawn in this frame
+    std::optional<TabStop> tabbed_from;  ///< Tab was pressed there in this frame
+    bool tabs_back = false;              ///< with Shift
+    std::optional<TabStop> types_at;     ///< to be typed from the next frame on
+    int open_menu = -1;  ///< of the menu bar, in this frame; -1: none
+    int menu_way = 0;    ///< 1: Right was pressed in this frame, -1: Left
     Renaming renaming;
     SourcePanel source;
     CommandPalette commands;
@@ -200,7 +215,12 @@ inline void tell(AppState& state, const std::optional<std::string>& problem) {
 
 /// Does a text field, or the source, have the keyboard?
 inline bool is_typing(const AppState& state, const Ui& ui) {
-    return ImGui::GetIO().WantTextInput || ui.typing.field >= 0 || ui.renaming.node || ui.source.focused || state.type_source;
+    return ImGui::GetIO().WantTextInput || ui.typing.field >= 0 || ui.types_at || ui.renaming.node || ui.source.focused || state.type_source;
+}
+
+/// Is a menu open, or a list of choices? What asks is none.
+inline bool menu_is_open(const AppState& state) {
+    return !asks(state) && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
 }
 
 /// The picture and the color for a node's kind; records by their key.
@@ -208,6 +228,9 @@ Icon icon_of(const NodeType& type);
 Tint color_of(const NodeType& type);
 /// The author's id, else the type's word.
 std::string title_of(const Node& node);
+/// "48 \u00d7 20 mm", and "at 250, 700" where its middle is; empty of what has no end.
+std::string size_in_words(const Box2& box);
+std::string place_in_words(const Box2& box);
 
 /// What is wrong: in what is being typed, in the file and, when that reads without an error, in making it run.
 struct Problems {

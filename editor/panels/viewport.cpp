@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "editor/panels/fields.h"
 #include "editor/panels/measure_tool.h"
@@ -201,12 +202,13 @@ void viewport_panel(AppState& state, Ui& ui, ImVec2 position, ImVec2 size) {
     // The table itself is painted under this window, before the panels.
     begin_region("##viewport", position, size, palette::backdrop.faded(0), {0, 0},
                  ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse);
-    const Vec2 old_size = state.view.size;
     state.view.origin = vec(position);
-    state.view.size = vec(size);
-    if (ui.frame_wanted || old_size.x() <= 1) run(state, "view.all");
-    else if (old_size != state.view.size) state.view.pixels_per_metre *= std::min(size.y / old_size.y(), 1e3);
-    ui.frame_wanted = false;
+    if (std::exchange(ui.frame_wanted, false) || state.view.size.x() <= 1) {
+        state.view.size = vec(size);
+        run(state, "view.all");
+    } else if (state.view.size != vec(size)) {
+        state.view.resize(vec(size), {{0, 0}, state.session.program().size});
+    }
 
     look_for_handles(state, ui);
     ImGui::InvisibleButton("##table", size,

@@ -109,6 +109,11 @@ void draw_mark(const Pen& pen, Icon icon) {
     switch (icon) {
         case Icon::star: draw_star(pen, true); break;
         case Icon::star_outline: draw_star(pen, false); break;
+        case Icon::seen:
+            pen.arc(0, 0.55f, 1.0f, 215, 325);
+            pen.arc(0, -0.55f, 1.0f, 35, 145);
+            pen.dot(0, 0, 0.24f);
+            break;
         case Icon::hidden:
             pen.arc(0, 0.55f, 1.0f, 215, 325);
             pen.arc(0, -0.55f, 1.0f, 35, 145);
@@ -118,6 +123,10 @@ void draw_mark(const Pen& pen, Icon icon) {
         case Icon::locked:
             pen.bar(-0.55f, -0.1f, 0.55f, 0.75f, 0.15f);
             pen.arc(0, -0.1f, 0.36f, 180, 360);
+            break;
+        case Icon::unlocked:
+            pen.bar(-0.55f, -0.1f, 0.55f, 0.75f, 0.15f);
+            pen.arc(0.72f, -0.1f, 0.36f, 180, 360);
             break;
         case Icon::error:
             pen.circle(0, 0, 0.85f);

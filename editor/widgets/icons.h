@@ -5,7 +5,7 @@
 namespace pinfield::editor {
 
 enum class Icon : unsigned char {
-    play, pause, step, reset, shape, operation, part, group, table, physics, material, hidden, locked, error, warning, fine,
+    play, pause, step, reset, shape, operation, part, group, table, physics, material, seen, hidden, locked, unlocked, error, warning, fine,
     search, folder, file, frame, point, star, star_outline
 };
 

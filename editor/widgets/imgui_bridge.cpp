@@ -1,4 +1,5 @@
 #include "editor/widgets/imgui_bridge.h"
+#include "editor/widgets/widgets.h"
 #include "engine/core/keys.h"
 
 #include <imgui_impl_opengl3.h>
@@ -118,7 +119,7 @@ void ImGuiBridge::hand_over(const WindowEvent& event) {
     }
 }
 
-std::vector<WindowEvent> ImGuiBridge::begin_frame(double seconds) {
+std::vector<WindowEvent> ImGuiBridge::begin_frame(double seconds, bool menu_is_open) {
     std::vector<WindowEvent> handed;
     std::set<std::pair<WindowEvent::Kind, int>> changed;
     bool pressed = false;
@@ -147,6 +148,7 @@ std::vector<WindowEvent> ImGuiBridge::begin_frame(double seconds) {
         io.DisplayFramebufferScale = {static_cast<float>(framebuffer.x() / size.x()), static_cast<float>(framebuffer.y() / size.y())};
     io.DeltaTime = static_cast<float>(std::max(seconds, 1e-4));
     ImGui_ImplOpenGL3_NewFrame();
+    give_keys_to_menus(menu_is_open);
     ImGui::NewFrame();
     return handed;
 }

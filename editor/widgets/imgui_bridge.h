@@ -21,8 +21,8 @@ public:
 
     void queue(const WindowEvent& event) { pending_.push_back(event); }
     /// Hands over queued events up to the second change of one button or key, so that a quick click is seen as two frames,
-    /// and begins a frame of `seconds`. Returns what was handed over.
-    std::vector<WindowEvent> begin_frame(double seconds);
+    /// and begins a frame of `seconds`, in which an open menu has its keys. Returns what was handed over.
+    std::vector<WindowEvent> begin_frame(double seconds, bool menu_is_open);
     /// Whether something is queued still, or a key or button held: Dear ImGui counts how long.
     bool wants_frames() const { return !pending_.empty() || !held_.empty(); }
     void draw();  ///< on the back buffer

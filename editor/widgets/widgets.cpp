@@ -11,6 +11,19 @@ float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data()
 
 }  // namespace
 
+void give_keys_to_menus(bool open) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (!open) {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+        return;
+    }
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+#if IMGUI_VERSION_NUM < 18700
+    // It takes Space alone for yes.
+    if (ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Enter))) io.NavInputs[ImGuiNavInput_Activate] = 1;
+#endif
+}
+
 bool begin_region(const char* name, ImVec2 position, ImVec2 size, const Tint& background, ImVec2 padding, ImGuiWindowFlags more) {
     ImGui::SetNextWindowPos(position);
     ImGui::SetNextWindowSize(size);
@@ -19,7 +32,7 @@ bool begin_region(const char* name, ImVec2 position, ImVec2 size, const Tint& ba
     ImGui::PushStyleColor(ImGuiCol_WindowBg, background);
     const bool open = ImGui::Begin(name, nullptr,
                                    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                       ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus | more);
+                                       ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNav | more);
     ImGui::PopStyleColor();
     ImGui::PopStyleVar(2);
     return open;

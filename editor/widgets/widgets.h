@@ -11,6 +11,9 @@
 
 namespace pinfield::editor {
 
+/// Just before a frame: while a menu, or a list of choices, is open, its keys are its own: arrows, Enter, Space and Esc.
+void give_keys_to_menus(bool open);
+
 /// A part of the window with a fixed place; end with ImGui::End().
 bool begin_region(const char* name, ImVec2 position, ImVec2 size, const Tint& background, ImVec2 padding, ImGuiWindowFlags more = 0);
 

@@ -234,6 +234,9 @@ Result<std::vector<TextPatch>> structure_patches(const Reading& now, const Edit&
 
 Result<std::string> text_of_node(const Reading& now, NodeId node) {
     if (now.scene.find(node)->is_record()) return failure("only nodes of the scene are items of a list");
+    if (const auto& origin = now.scene.find(node)->origin)
+        return failure(fmt::format("{} is made by {} ({}): copy that, or write it out first", now.scene.path(node), origin->what,
+                                   line_in_table(now.scene, origin->where)));
     if (is_included(now.scene.find(node)->key)) return text_elsewhere(now, *now.scene.find(node));
     Indices indices = indices_of(now.scene, node);
     const int last = indices.back();
