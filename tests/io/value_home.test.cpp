@@ -170,6 +170,38 @@ TEST_CASE("here only: what made the node is written out, and the tests follow it
     CHECK_THAT(patched(now, held, home(now, held, Kind::own)), Catch::Contains("children: [group: {id: held, children: [") && Catch::Contains("turn: 3"));
 }
 
+TEST_CASE("a turn that only its row gives a copy is added to, not taken for the item's own") {
+    const std::string row = R"(pinfield: 1
+scene:
+  - box: {id: blade, at: [0.26, 0.8], size: [5mm, 20mm], copies: {count: 4, around: [0.26, 0.75]}}
+)";
+    const Reading now = read(row);
+    INFO(told(now));
+    REQUIRE(now.ok());
+    const double turned = now.scene.find("blade.2")->get<double>("turn");
+    REQUIRE(std::fabs(turned) == Approx(90));
+    const SetField more = change(now, "blade.2", "turn", turned + 5);
+    CHECK(patched(now, more, home(now, more, Kind::line)) == with(row, "0.75]}}", "0.75]}, turn: 5}"));
+}
+
+TEST_CASE("a line that an anchor lends to a node elsewhere is not changed under that node's hands") {
+    const Reading now = read(R"(pinfield: 1
+templates:
+  gear:
+    nodes:
+      - box: {id: tooth, size: &tooth [5mm, 1cm]}
+scene:
+  - use: {template: gear, id: large, at: [0.2, 0.6]}
+  - box: {id: plain, at: [0.3, 0.3], size: *tooth}
+)");
+    INFO(told(now));
+    REQUIRE(now.ok());
+    const SetField tooth = change(now, "large.tooth", "size", Vec2(0.005, 0.012));
+    const auto out = patch_home(now, tooth, home(now, tooth, Kind::line));
+    REQUIRE_FALSE(out);
+    CHECK(out.error().message == "the value is shared by 2 places of the file; edit the text");
+}
+
 // Random fields of every made node and every expression of all good tables, at every home they have.
 TEST_CASE("at whatever home a value is changed, it has the value that is due, comments stay, and what does not come from there stays") {
     CounterRng rng(31);
