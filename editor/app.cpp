@@ -138,7 +138,7 @@ void App::follow_theme() {
     theme_ = wanted.theme;
     font_size_ = wanted.font_size;
     ui_.theme = make_theme(static_cast<float>(window_->content_scale()), static_cast<float>(font_size_), theme_);
-    bridge_.renew_fonts();
+    ImGuiBridge::renew_fonts();
 }
 
 void App::draw(int ticks, double seconds) {

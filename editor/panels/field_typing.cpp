@@ -58,9 +58,9 @@ void typing_field(const Row& row, float width) {
     if (entered || (tab && typing.text != typing.before)) finish_typing(row);
     else if (tab) typing = {};
     else if (!typing.begins && ImGui::IsItemDeactivated()) {
-        // Escape drops what was typed, clicking elsewhere takes it.
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) typing = {};
-        else if (ImGui::IsItemDeactivatedAfterEdit()) finish_typing(row);
+        // Clicking elsewhere takes what was typed, Escape drops it.
+        const bool escaped = ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+        if (!escaped && ImGui::IsItemDeactivatedAfterEdit()) finish_typing(row);
         else typing = {};
     }
     typing.begins = false;

@@ -89,7 +89,7 @@ private:
     }
 
     /// A plus below the materials; whether it was clicked.
-    bool plus_at_heading() {
+    bool plus_at_heading() const {
         const Theme& theme = ui_.theme;
         const ImVec2 place = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x, height = theme.px(24);

@@ -68,7 +68,7 @@ void draw_menus(AppState& state, Ui& ui) {
     std::vector<std::string_view> menus = menus_in_order();
     menus.insert(std::find(menus.begin(), menus.end(), "Edit") + 1, add_word);
     const int count = static_cast<int>(menus.size());
-    const auto open = [&](int i) { ImGui::OpenPopup(std::string(at(menus, (i + count) % count)).c_str()); };
+    const auto open = [&](int i) { ImGui::OpenPopup(std::string(at(menus, (i + count) % std::max(count, 1))).c_str()); };
     if (std::exchange(state.open_menus, false)) open(0);
     const int before = std::exchange(ui.open_menu, -1);
     for (int i = 0; i < count; ++i) {
