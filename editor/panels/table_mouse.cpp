@@ -80,6 +80,7 @@ void begin_drag(AppState& state, Ui& ui) {
     std::vector<Held> held = nodes_in_hand(state, ui.pressed);
     if (ui.copies) {
         std::vector<NodeId> nodes;
+        nodes.reserve(held.size());
         for (const Held& one : held) nodes.push_back(one.node);
         const Outcome outcome = duplicate_nodes(state.document, nodes, {0, 0});
         ui.copies = take(state, outcome) && outcome.nodes.size() == held.size();

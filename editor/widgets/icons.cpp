@@ -13,8 +13,8 @@ namespace {
 struct Pen {
     ImDrawList& list;
     ImVec2 centre;
-    float half, width;
-    ImU32 color;
+    float half = 0, width = 0;
+    ImU32 color = 0;
 
     ImVec2 at(float x, float y) const { return {centre.x + half * x, centre.y + half * y}; }
     void line(float ax, float ay, float bx, float by) const { list.AddLine(at(ax, ay), at(bx, by), color, width); }

@@ -30,7 +30,7 @@ public:
     static void renew_fonts();
 
 private:
-    void hand_over(const WindowEvent& event);
+    static void hand_over(const WindowEvent& event);
 
     Window& window_;
     std::deque<WindowEvent> pending_;
